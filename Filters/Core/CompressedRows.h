@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file CompressedRows.h
+ * @brief Lists of indices, one per element, in two flat arrays.
+ */
+
+#ifndef SurfaceDenoising_CompressedRows_h
+#define SurfaceDenoising_CompressedRows_h
+
+#include "Execution.h"
+#include "Types.h"
+
+namespace SurfaceDenoising
+{
+
+/// Row i is Ids[Offsets[i]] .. Ids[Offsets[i + 1] - 1].
+class CompressedRows
+{
+public:
+  Buffer<std::uint64_t> Offsets;
+  Buffer<Index> Ids;
+
+  std::size_t NumberOfRows() const { return this->Offsets.empty() ? 0 : this->Offsets.size() - 1; }
+  std::size_t NumberOfIds() const { return this->Ids.size(); }
+
+  Span<Index> Row(std::size_t i) const
+  {
+    return { this->Ids.data() + this->Offsets[i], this->Ids.data() + this->Offsets[i + 1] };
+  }
+};
+
+/**
+ * Builds rows in parallel. append(i, ids) adds the entries of row i at the end of ids and must not
+ * look at what is there already. Every chunk of rows is collected on its own and then copied to its
+ * place, so that each row is computed once although its length is not known beforehand.
+ */
+template <typename Append>
+CompressedRows BuildRows(Execution& execution, std::size_t count, Append append)
+{
+  constexpr std::size_t chunk = 4096;
+  const std::size_t chunks = (count + chunk - 1) / chunk;
+  std::vector<Buffer<Index>> parts(chunks);
+  CompressedRows rows;
+  rows.Offsets.resize(count + 1);
+  rows.Offsets[0] = 0;
+  execution.For(
+    chunks,
+    [&](std::size_t begin, std::size_t end)
+    {
+      Buffer<Index> ids;
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        ids.clear();
+        const std::size_t last = std::min(count, (c + 1) * chunk);
+        for (std::size_t i = c * chunk; i < last; ++i)
+        {
+          append(i, ids);
+          rows.Offsets[i + 1] = ids.size();
+        }
+        parts[c].assign(ids.begin(), ids.end());
+      }
+    },
+    1);
+
+  std::vector<std::uint64_t> starts(chunks + 1, 0);
+  for (std::size_t c = 0; c < chunks; ++c)
+  {
+    starts[c + 1] = starts[c] + parts[c].size();
+  }
+  rows.Ids.resize(starts[chunks]);
+  execution.For(
+    chunks,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        std::copy(parts[c].begin(), parts[c].end(), rows.Ids.begin() + starts[c]);
+        Release(parts[c]);
+        const std::size_t last = std::min(count, (c + 1) * chunk);
+        for (std::size_t i = c * chunk; i < last; ++i)
+        {
+          rows.Offsets[i + 1] += starts[c];
+        }
+      }
+    },
+    1);
+  return rows;
+}
+
+}
+
+#endif

@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "MeshDenoising.h"
+
+#include "CoincidentVertices.h"
+#include "FaceOrientation.h"
+
+#include <chrono>
+#include <numeric>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// Adds the seconds of its life to a sum.
+class Stopwatch
+{
+public:
+  explicit Stopwatch(double& seconds)
+    : Seconds(seconds)
+    , Start(std::chrono::steady_clock::now())
+  {
+  }
+  ~Stopwatch()
+  {
+    const std::chrono::duration<double> life = std::chrono::steady_clock::now() - this->Start;
+    this->Seconds += life.count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  void operator=(const Stopwatch&) = delete;
+
+private:
+  double& Seconds;
+  std::chrono::steady_clock::time_point Start;
+};
+
+/// x_ij over all pairs of edge-adjacent faces that have normals, each pair once.
+Buffer<double> AdjacentDifferences(const TriangleMesh& mesh, const CompressedRows& stars,
+  const FaceGeometry& geometry, NormalArgument argument)
+{
+  Buffer<double> differences;
+  differences.reserve(mesh.NumberOfFaces() * 3 / 2);
+  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    VisitEdgeAdjacentFaces(mesh, stars, f,
+      [&](Index g)
+      {
+        const double distance = (geometry.Centroids[f] - geometry.Centroids[g]).norm();
+        if (g > f && geometry.Areas[f] > 0.0 && geometry.Areas[g] > 0.0 && distance > 0.0)
+        {
+          const Vec3& m = geometry.Normals[f];
+          const Vec3& n = geometry.Normals[g];
+          const double angle = std::atan2(m.cross(n).norm(), m.dot(n));
+          differences.push_back(argument == NormalArgument::Chord
+              ? (m - n).norm()
+              : (argument == NormalArgument::Angle ? angle : angle / distance));
+        }
+      });
+  }
+  return differences;
+}
+
+/// The work on one mesh, stage by stage.
+class Denoiser
+{
+public:
+  Denoiser(TriangleMesh& mesh, const MeshDenoisingSettings& settings, MeshDenoisingReport& report,
+    Execution& execution)
+    : Mesh(mesh)
+    , Settings(settings)
+    , Report(report)
+    , Exec(execution)
+  {
+  }
+
+  bool Run(Buffer<Vec3>& normals);
+
+private:
+  bool Setup();
+  void CloseSeams();
+  void Restore(Buffer<Vec3>& normals);
+  void TurnNormals(Buffer<Vec3>& normals) const;
+  void ChooseScale();
+  void BuildGraph();
+  bool FilterNormals(Buffer<Vec3>& normals, double first, double last);
+
+  TriangleMesh& Mesh;
+  const MeshDenoisingSettings& Settings;
+  MeshDenoisingReport& Report;
+  Execution& Exec;
+
+  CompressedRows Stars;
+  EdgeCensus Edges;
+  std::vector<CoincidentVertex> Seams;
+  Buffer<unsigned char> Turned;
+  Buffer<Triangle> AsGiven; ///< the triangles of the input, if seams were closed or faces turned
+  FaceGeometry Geometry;
+  NeighborGraph Graph;
+  double Distance = 0.0; ///< d of the present positions
+};
+
+bool Denoiser::Setup()
+{
+  const Stopwatch stopwatch(this->Report.SetupSeconds);
+  this->Stars = VertexStars(this->Mesh);
+  if (!this->Exec.Proceed(0.01))
+  {
+    return false;
+  }
+  this->Edges = TakeEdgeCensus(this->Mesh, this->Stars, this->Exec);
+  if (this->Edges.NumberOfBoundaryEdges > 0)
+  {
+    this->Seams = FindCoincidentVertices(this->Mesh, this->Edges.BoundaryVertex);
+    this->CloseSeams();
+  }
+  if (this->Edges.NumberOfInconsistentEdges > 0)
+  {
+    if (this->AsGiven.empty())
+    {
+      this->AsGiven = this->Mesh.Triangles;
+    }
+    this->Turned = OrientFaces(this->Mesh, this->Stars);
+  }
+  this->Report.MeanEdgeLength = this->Edges.MeanEdgeLength;
+  this->Report.BoundaryEdges = this->Edges.NumberOfBoundaryEdges;
+  this->Report.NonManifoldEdges = this->Edges.NumberOfNonManifoldEdges;
+  this->Report.SeamVertices = this->Seams.size();
+  this->Report.TurnedFaces = static_cast<std::size_t>(
+    std::count(this->Turned.begin(), this->Turned.end(), static_cast<unsigned char>(1)));
+  return this->Exec.Proceed(0.03);
+}
+
+void Denoiser::CloseSeams()
+{
+  if (this->Seams.empty())
+  {
+    return;
+  }
+  this->AsGiven = this->Mesh.Triangles;
+  Buffer<Index> original(this->Mesh.NumberOfVertices());
+  std::iota(original.begin(), original.end(), Index(0));
+  for (const CoincidentVertex& seam : this->Seams)
+  {
+    original[seam.Vertex] = seam.Original;
+  }
+  for (Triangle& t : this->Mesh.Triangles)
+  {
+    t = { original[t[0]], original[t[1]], original[t[2]] };
+  }
+  this->Stars = VertexStars(this->Mesh);
+  this->Edges = TakeEdgeCensus(this->Mesh, this->Stars, this->Exec);
+}
+
+void Denoiser::Restore(Buffer<Vec3>& normals)
+{
+  for (const CoincidentVertex& seam : this->Seams)
+  {
+    this->Mesh.Positions[seam.Vertex] = this->Mesh.Positions[seam.Original];
+  }
+  this->TurnNormals(normals);
+  if (!this->AsGiven.empty())
+  {
+    this->Mesh.Triangles.swap(this->AsGiven);
+  }
+}
+
+void Denoiser::TurnNormals(Buffer<Vec3>& normals) const
+{
+  for (std::size_t f = 0; f < this->Turned.size(); ++f)
+  {
+    if (this->Turned[f])
+    {
+      normals[f] = -normals[f];
+    }
+  }
+}
+
+void Denoiser::ChooseScale()
+{
+  const MeshDenoisingSettings& settings = this->Settings;
+  const bool curvature = settings.Argument == NormalArgument::DirectionalCurvature;
+  const double unit = curvature && this->Distance > 0.0 ? this->Distance : 1.0;
+  if (settings.NormScale > 0.0)
+  {
+    this->Report.NormScale = settings.NormScale;
+    return;
+  }
+  Buffer<double> differences =
+    AdjacentDifferences(this->Mesh, this->Stars, this->Geometry, settings.Argument);
+  const double sigma = RobustScale(differences, settings.Estimator) * unit;
+  this->Report.NoNoiseFound = sigma < 1e-6;
+  this->Report.NormScale = ScaleForOutlierBoundary(settings.Norm, sigma);
+}
+
+void Denoiser::BuildGraph()
+{
+  switch (this->Settings.Neighborhood)
+  {
+    case FaceNeighborhood::EdgeAdjacent:
+      this->Graph = EdgeAdjacentFaces(this->Mesh, this->Stars, this->Exec);
+      break;
+    case FaceNeighborhood::VertexSharing:
+      this->Graph = VertexSharingFaces(this->Mesh, this->Stars, this->Exec);
+      break;
+    case FaceNeighborhood::Radius:
+      this->Graph = FacesWithinRadius(VertexSharingFaces(this->Mesh, this->Stars, this->Exec),
+        this->Geometry.Centroids, this->Settings.Radius * this->Distance, this->Exec);
+      break;
+  }
+}
+
+bool Denoiser::FilterNormals(Buffer<Vec3>& normals, double first, double last)
+{
+  const MeshDenoisingSettings& settings = this->Settings;
+  NormalFilterSettings filterSettings;
+  const bool curvature = settings.Argument == NormalArgument::DirectionalCurvature;
+  const double unit = curvature && this->Distance > 0.0 ? this->Distance : 1.0;
+  filterSettings.Norm = MakeErrorNorm(settings.Norm, this->Report.NormScale / unit);
+  filterSettings.Argument = settings.Argument;
+  filterSettings.SpatialSigma = settings.SpatialScale * this->Distance;
+  filterSettings.AreaWeighted = settings.AreaWeighted;
+  filterSettings.IncludeOwn = settings.IncludeOwn;
+  NormalFilter filter(this->Graph, filterSettings);
+  filter.SetGeometry(this->Geometry.Centroids, this->Geometry.Areas,
+    1e-12 * this->Report.MeanEdgeLength, this->Exec);
+  Release(this->Geometry.Centroids);
+
+  const Buffer<Vec3> original = settings.Data == NormalData::Original ? normals : Buffer<Vec3>();
+  Buffer<Vec3> filtered(normals.size());
+  for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
+  {
+    if (!this->Exec.Proceed(first + (last - first) * iteration / settings.NormalIterations))
+    {
+      return false;
+    }
+    this->Report.UnfilteredFaces = settings.Data == NormalData::Original
+      ? filter.Sweep({ normals, normals, original, original }, filtered, this->Exec)
+      : filter.Sweep(normals, filtered, this->Exec);
+    normals.swap(filtered);
+  }
+  return true;
+}
+
+bool Denoiser::Run(Buffer<Vec3>& normals)
+{
+  if (!this->Setup())
+  {
+    return false;
+  }
+  const MeshDenoisingSettings& settings = this->Settings;
+  const std::size_t faces = this->Mesh.NumberOfFaces();
+  bool given = faces > 0 && normals.size() == faces;
+  if (given)
+  {
+    this->TurnNormals(normals);
+  }
+
+  VertexUpdateSettings vertexSettings = settings.Vertices;
+  vertexSettings.MaximumDisplacement *= this->Report.MeanEdgeLength;
+  VertexUpdate update(this->Mesh, this->Stars, this->Edges.BoundaryVertex,
+    this->Report.MeanEdgeLength, vertexSettings);
+
+  const double share = 0.97 / std::max(1, settings.OuterIterations);
+  for (int outer = 0; outer < settings.OuterIterations; ++outer)
+  {
+    const double first = 0.03 + outer * share;
+    // A vertex step costs about a quarter of a normal step.
+    const double normalShare = share * 4.0 * settings.NormalIterations /
+      std::max(1.0, 4.0 * settings.NormalIterations + settings.VertexIterations);
+    {
+      const Stopwatch stopwatch(this->Report.SetupSeconds);
+      ComputeFaceGeometry(this->Mesh, this->Report.MeanEdgeLength, this->Geometry, this->Exec);
+      this->Distance =
+        MeanAdjacentDistance(this->Mesh, this->Stars, this->Geometry.Centroids, this->Exec);
+      if (outer == 0)
+      {
+        this->Report.MeanCentroidDistance = this->Distance;
+        this->Report.DegenerateFaces = static_cast<std::size_t>(
+          std::count(this->Geometry.Areas.begin(), this->Geometry.Areas.end(), 0.0));
+        this->ChooseScale();
+      }
+      if (!given)
+      {
+        normals.swap(this->Geometry.Normals);
+      }
+      Release(this->Geometry.Normals);
+      given = false;
+      if (settings.NormalIterations > 0 &&
+        (outer == 0 || settings.Neighborhood == FaceNeighborhood::Radius))
+      {
+        this->BuildGraph();
+      }
+      if (!this->Exec.Proceed(first))
+      {
+        return false;
+      }
+    }
+    if (settings.NormalIterations > 0 && !this->Report.NoNoiseFound)
+    {
+      const Stopwatch stopwatch(this->Report.NormalSeconds);
+      if (!this->FilterNormals(normals, first, first + normalShare))
+      {
+        return false;
+      }
+    }
+    if (settings.VertexIterations > 0 && !this->Report.NoNoiseFound)
+    {
+      const Stopwatch stopwatch(this->Report.VertexSeconds);
+      if (!update.Run(this->Mesh.Positions, normals, settings.VertexIterations, this->Exec,
+            first + normalShare, first + share))
+      {
+        return false;
+      }
+    }
+  }
+  this->Report.GuardedVertices = update.NumberOfGuardedVertices();
+  this->Restore(normals);
+  return this->Exec.Proceed(1.0);
+}
+
+}
+
+bool DenoiseMesh(TriangleMesh& mesh, Buffer<Vec3>& normals, const MeshDenoisingSettings& settings,
+  MeshDenoisingReport& report, Execution& execution)
+{
+  return Denoiser(mesh, settings, report, execution).Run(normals);
+}
+
+}

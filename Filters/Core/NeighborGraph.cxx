@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "NeighborGraph.h"
+
+#include "KdTree.h"
+
+namespace SurfaceDenoising
+{
+
+NeighborGraph EdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution)
+{
+  return BuildRows(execution, mesh.NumberOfFaces(),
+    [&](std::size_t f, Buffer<Index>& row)
+    { VisitEdgeAdjacentFaces(mesh, stars, f, [&row](Index g) { row.push_back(g); }); });
+}
+
+NeighborGraph VertexSharingFaces(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution)
+{
+  return BuildRows(execution, mesh.NumberOfFaces(),
+    [&](std::size_t f, Buffer<Index>& row)
+    {
+      // A face is taken at the first of the three corners that it shares.
+      const Triangle t = mesh.Triangles[f];
+      for (const Index g : stars.Row(t[0]))
+      {
+        if (g != f)
+        {
+          row.push_back(g);
+        }
+      }
+      for (const Index g : stars.Row(t[1]))
+      {
+        if (!HasCorner(mesh.Triangles[g], t[0]))
+        {
+          row.push_back(g);
+        }
+      }
+      for (const Index g : stars.Row(t[2]))
+      {
+        const Triangle& other = mesh.Triangles[g];
+        if (!HasCorner(other, t[0]) && !HasCorner(other, t[1]))
+        {
+          row.push_back(g);
+        }
+      }
+    });
+}
+
+NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<Vec3>& centroids,
+  double radius, Execution& execution)
+{
+  const double limit = radius * radius;
+  return BuildRows(execution, centroids.size(),
+    [&](std::size_t f, Buffer<Index>& row)
+    {
+      // Rows are short, so that a scan of the row is a faster "seen already" test than a set. Faces
+      // that are too far are met again by other paths; a second distance test costs less than
+      // remembering them.
+      const std::size_t first = row.size();
+      const Vec3 centre = centroids[f];
+      auto grow = [&](Index from)
+      {
+        for (const Index g : connections.Row(from))
+        {
+          if (g != f && (centroids[g] - centre).squaredNorm() <= limit &&
+            std::find(row.begin() + first, row.end(), g) == row.end())
+          {
+            row.push_back(g);
+          }
+        }
+      };
+      grow(static_cast<Index>(f));
+      for (std::size_t next = first; next < row.size(); ++next)
+      {
+        grow(row[next]);
+      }
+    });
+}
+
+NeighborGraph NearestPoints(const Buffer<Vec3>& points, std::size_t count, Execution& execution)
+{
+  const KdTree tree(points);
+  return BuildRows(execution, points.size(),
+    [&](std::size_t i, Buffer<Index>& row)
+    {
+      static thread_local std::vector<Index> found;
+      // One more than asked for, because the point finds itself; among coincident points it may
+      // not.
+      tree.Nearest(points[i], count + 1, found);
+      const std::size_t first = row.size();
+      for (const Index j : found)
+      {
+        if (j != i && row.size() - first < count)
+        {
+          row.push_back(j);
+        }
+      }
+    });
+}
+
+namespace
+{
+
+struct DistanceSum
+{
+  double Sum = 0.0;
+  std::size_t Count = 0;
+
+  DistanceSum& operator+=(const DistanceSum& other)
+  {
+    this->Sum += other.Sum;
+    this->Count += other.Count;
+    return *this;
+  }
+};
+
+}
+
+double MeanAdjacentDistance(const TriangleMesh& mesh, const CompressedRows& stars,
+  const Buffer<Vec3>& centroids, Execution& execution)
+{
+  const DistanceSum total = OrderedSum(execution, mesh.NumberOfFaces(), DistanceSum(),
+    [&](std::size_t f)
+    {
+      DistanceSum sum;
+      VisitEdgeAdjacentFaces(mesh, stars, f,
+        [&](Index g)
+        {
+          sum.Sum += (centroids[f] - centroids[g]).norm();
+          ++sum.Count;
+        });
+      return sum;
+    });
+  return total.Count > 0 ? total.Sum / static_cast<double>(total.Count) : 0.0;
+}
+
+}

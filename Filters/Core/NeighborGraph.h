@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file NeighborGraph.h
+ * @brief Which sites see one another: the neighbourhoods of faces and of points.
+ *
+ * A graph is made of compressed rows. Row i lists the neighbours of site i, each once and never i
+ * itself: whether a site counts among its own neighbours is a matter of the filter. The order
+ * within a row is fixed by the mesh or the distances, never by threads.
+ */
+
+#ifndef SurfaceDenoising_NeighborGraph_h
+#define SurfaceDenoising_NeighborGraph_h
+
+#include "TriangleMesh.h"
+
+namespace SurfaceDenoising
+{
+
+using NeighborGraph = CompressedRows;
+
+/// Calls visit(g) once for every face g that shares an edge with face f.
+template <typename Visit>
+void VisitEdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& stars, std::size_t f,
+  Visit visit)
+{
+  const Triangle t = mesh.Triangles[f];
+  // The faces at the first corner that share another one, then those that share the opposite edge
+  // only.
+  for (const Index g : stars.Row(t[0]))
+  {
+    const Triangle& other = mesh.Triangles[g];
+    if (g != f &&
+      ((t[1] != t[0] && HasCorner(other, t[1])) || (t[2] != t[0] && HasCorner(other, t[2]))))
+    {
+      visit(g);
+    }
+  }
+  if (t[1] == t[2])
+  {
+    return;
+  }
+  for (const Index g : stars.Row(t[1]))
+  {
+    const Triangle& other = mesh.Triangles[g];
+    if (g != f && HasCorner(other, t[2]) && !HasCorner(other, t[0]))
+    {
+      visit(g);
+    }
+  }
+}
+
+/// Faces that share an edge. All other faces of a non-manifold edge are neighbours.
+NeighborGraph EdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution);
+
+/// Faces that share a vertex or more, about 12 on a regular mesh.
+NeighborGraph VertexSharingFaces(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution);
+
+/**
+ * Faces whose centroid is at most radius away and that are reached through such faces: growth steps
+ * from face to face along connections (edge-adjacent or vertex-sharing) and goes on only through
+ * faces that were entered. The far side of a thin wall is close but not reached, which is why this
+ * is not a ball query.
+ */
+NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<Vec3>& centroids,
+  double radius, Execution& execution);
+
+/**
+ * The count nearest other points of every point, nearest first; fewer if there are not as many
+ * points. Points at the same place are neighbours like any others.
+ */
+NeighborGraph NearestPoints(const Buffer<Vec3>& points, std::size_t count, Execution& execution);
+
+/// Mean distance between the centroids of edge-adjacent faces; 0 if there are none.
+double MeanAdjacentDistance(const TriangleMesh& mesh, const CompressedRows& stars,
+  const Buffer<Vec3>& centroids, Execution& execution);
+
+}
+
+#endif
