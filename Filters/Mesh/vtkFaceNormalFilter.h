@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkFaceNormalFilter
+ * @brief   base of all methods that filter face normals
+ *
+ * Every method of this family replaces the normal of a face by a robust mean of the normals around
+ * it,
+ *
+ *   n_i <- normalise( sum_j  A_j f(|c_i - c_j|) g(x_ij) n_j ),
+ *
+ * with an error norm whose weight function is g, an argument x_ij that says how much the normals
+ * differ, a spatial kernel f and face areas A_j, and then moves the points to fit (see
+ * vtkMeshDenoisingFilter). A subclass says which, in Configure.
+ *
+ * The two stages can be pipeline steps of their own: switch UpdateVertices off to get the filtered
+ * normals as cell array "FilteredNormals" on the input's points, and let vtkNormalVertexUpdate move
+ * the points. To start from other normals than those of the faces, say from a learned predictor,
+ * name a cell array with SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS,
+ * name).
+ *
+ * S. K. Yadav, M. Skrodzki, E. Zimmermann, K. Polthier, "Surface Denoising based on Normal
+ * Filtering in a Robust Statistics Framework".
+ */
+
+#ifndef vtkFaceNormalFilter_h
+#define vtkFaceNormalFilter_h
+
+#include "vtkMeshDenoisingFilter.h"
+
+class VTKSURFACEDENOISINGMESH_EXPORT vtkFaceNormalFilter : public vtkMeshDenoisingFilter
+{
+public:
+  vtkTypeMacro(vtkFaceNormalFilter, vtkMeshDenoisingFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Which faces are averaged.
+  enum Neighborhoods
+  {
+    EDGE_ADJACENT = 0,  ///< those that share an edge, 3 on a closed mesh
+    VERTEX_SHARING = 1, ///< those that share a point, about 12
+    RADIUS = 2          ///< connected faces with centroids within a radius
+  };
+
+  ///@{
+  /// Number of normal iterations per outer iteration. Default 20: more noise needs more, 0 does
+  /// nothing.
+  vtkSetClampMacro(NumberOfNormalIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfNormalIterations, int);
+  ///@}
+
+  ///@{
+  /// Move the points (default) or only filter the normals.
+  vtkSetMacro(UpdateVertices, bool);
+  vtkGetMacro(UpdateVertices, bool);
+  vtkBooleanMacro(UpdateVertices, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the last execution used and did: the scale of the norm, given or from the data, in the
+   * units of the subclass, and the number of triangles that kept their normal in the last iteration
+   * because no neighbour had any weight.
+   */
+  vtkGetMacro(UsedRangeScale, double);
+  vtkGetMacro(NumberOfUnfilteredFaces, vtkIdType);
+  ///@}
+
+protected:
+  vtkFaceNormalFilter();
+  ~vtkFaceNormalFilter() override;
+
+  void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) override;
+  vtkDataArray* FindStartNormals(vtkInformationVector** inputVector, bool& needed) override;
+  void TakeReport(const SurfaceDenoising::MeshDenoisingReport& report) override;
+
+  int NumberOfNormalIterations = 20;
+  bool UpdateVertices = true;
+  double UsedRangeScale = 0.0;
+  vtkIdType NumberOfUnfilteredFaces = 0;
+
+private:
+  vtkFaceNormalFilter(const vtkFaceNormalFilter&) = delete;
+  void operator=(const vtkFaceNormalFilter&) = delete;
+};
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkNormalVertexUpdate.h"
+
+#include "MeshDenoising.h"
+
+#include "vtkDataObject.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkNormalVertexUpdate);
+
+vtkNormalVertexUpdate::vtkNormalVertexUpdate()
+{
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "FilteredNormals");
+}
+
+vtkNormalVertexUpdate::~vtkNormalVertexUpdate() = default;
+
+void vtkNormalVertexUpdate::Configure(SurfaceDenoising::MeshDenoisingSettings& settings)
+{
+  settings.NormalIterations = 0;
+}
+
+vtkDataArray* vtkNormalVertexUpdate::FindStartNormals(vtkInformationVector** inputVector,
+  bool& needed)
+{
+  needed = true;
+  return this->GetInputArrayToProcess(0, inputVector);
+}
+
+void vtkNormalVertexUpdate::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
