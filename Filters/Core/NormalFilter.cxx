@@ -17,8 +17,8 @@ constexpr std::size_t Lanes = 8;
 
 constexpr std::size_t RoundUp(std::size_t count) { return (count + Lanes - 1) / Lanes * Lanes; }
 
-/// Pairs that are handled together: their weights stay in the first-level cache between the stages.
-constexpr std::size_t BlockPairs = 512;
+/// Entries handled together: their weights stay in the first-level cache between the stages.
+constexpr std::size_t BlockEntries = 512;
 
 /// Rows [First, Last) of the graph; their entries begin at Entry in the arrays of fixed values.
 struct Block
@@ -29,10 +29,31 @@ struct Block
   std::size_t Count;
 };
 
-/// Stage 1: squared chords |centre_i - compared_j|^2 of a block; 0 where the centre has no normal.
-SURFACEDENOISING_VECTORIZED
-void SquaredChords(const CompressedRows& graph, bool own, const Block& block, const Vec3* centre,
-  const Vec3* compared, double* squares)
+/// Calls use(block) for rows [begin, end), cut into blocks of at most capacity entries.
+template <typename Use>
+void ForBlocks(const CompressedRows& graph, bool own, std::size_t capacity, std::size_t begin,
+  std::size_t end, Use use)
+{
+  auto entryOf = [&graph, own](std::size_t i) { return graph.Offsets[i] + (own ? i : 0); };
+  for (std::size_t first = begin; first < end;)
+  {
+    std::size_t last = first + 1;
+    while (last < end && entryOf(last + 1) - entryOf(first) <= capacity)
+    {
+      ++last;
+    }
+    use(Block{ first, last, entryOf(first), entryOf(last) - entryOf(first) });
+    first = last;
+  }
+}
+
+/**
+ * Stage 1: |centre_i - compared_j|^2 for the entries of a block. If the vectors are normals, a zero
+ * centre is no normal and differs from nothing.
+ */
+template <bool AreNormals>
+SURFACEDENOISING_VECTORIZED void SquaredDistances(const CompressedRows& graph, bool own,
+  const Block& block, const Vec3* centre, const Vec3* compared, double* squares)
 {
   const std::uint64_t* offsets = graph.Offsets.data();
   const Index* ids = graph.Ids.data();
@@ -42,13 +63,14 @@ void SquaredChords(const CompressedRows& graph, bool own, const Block& block, co
     const double cx = centre[i][0];
     const double cy = centre[i][1];
     const double cz = centre[i][2];
-    const double known = cx * cx + cy * cy + cz * cz > 0.0 ? 1.0 : 0.0;
+    const bool differs = !AreNormals || cx * cx + cy * cy + cz * cz > 0.0;
+    const double factor = differs ? 1.0 : 0.0;
     auto square = [=](const Vec3& n)
     {
       const double dx = n[0] - cx;
       const double dy = n[1] - cy;
       const double dz = n[2] - cz;
-      return known * (dx * dx + dy * dy + dz * dz);
+      return factor * (dx * dx + dy * dy + dz * dz);
     };
     if (own)
     {
@@ -73,6 +95,34 @@ void ChordsToAngles(double* squares, std::size_t count)
     const double angle =
       2.0 * std::atan2(std::sqrt(squares[k]), std::sqrt(std::max(0.0, 4.0 - squares[k])));
     squares[k] = angle * angle;
+  }
+}
+
+/// values *= factors.
+void Multiply(const double* factors, std::size_t count, double* values)
+{
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    values[k] *= factors[k];
+  }
+}
+
+/// 1 / squares, held at 1 / smallest.
+void InvertSquares(const double* squares, std::size_t count, double smallest, double* inverse)
+{
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    inverse[k] = 1.0 / std::max(squares[k], smallest);
+  }
+}
+
+/// values *= f(d), the spatial kernel.
+SURFACEDENOISING_VECTORIZED
+void Attenuate(const GaussianNorm kernel, const double* squares, std::size_t count, double* values)
+{
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    values[k] *= kernel.WeightOfSquare(squares[k]);
   }
 }
 
@@ -140,10 +190,12 @@ NormalFilter::NormalFilter(const NeighborGraph& graph, const NormalFilterSetting
   : Graph(graph)
   , Settings(settings)
 {
+  std::size_t longest = 0;
   for (std::size_t i = 0; i < graph.NumberOfRows(); ++i)
   {
-    this->LongestRow = std::max(this->LongestRow, graph.Row(i).size());
+    longest = std::max(longest, graph.Row(i).size());
   }
+  this->Capacity = std::max(BlockEntries, RoundUp(longest + 1));
 }
 
 void NormalFilter::SetGeometry(const Buffer<Vec3>& positions, const Buffer<double>& areas,
@@ -158,33 +210,43 @@ void NormalFilter::SetGeometry(const Buffer<Vec3>& positions, const Buffer<doubl
   this->InverseSquaredDistances.resize(curvature ? entries : 0);
   std::fill(this->FixedWeights.begin() + entries, this->FixedWeights.end(), 0.0);
 
-  const double exponent =
-    settings.SpatialSigma > 0.0 ? -0.5 / (settings.SpatialSigma * settings.SpatialSigma) : 0.0;
-  auto fix = [&](std::size_t entry, std::size_t i, std::size_t j)
-  {
-    const double a = settings.AreaWeighted ? areas[j] : (areas[j] > 0.0 ? 1.0 : 0.0);
-    const double dd = (positions[i] - positions[j]).squaredNorm();
-    this->FixedWeights[entry] = exponent < 0.0 ? a * ExpOfNegative(exponent * dd) : a;
-    if (curvature)
-    {
-      this->InverseSquaredDistances[entry] = 1.0 / std::max(dd, shortest * shortest);
-    }
-  };
+  auto weightOf = [&](std::size_t j)
+  { return settings.AreaWeighted ? areas[j] : (areas[j] > 0.0 ? 1.0 : 0.0); };
   execution.For(rows,
     [&](std::size_t begin, std::size_t end)
     {
-      std::size_t entry = this->Graph.Offsets[begin] + own * begin;
-      for (std::size_t i = begin; i < end; ++i)
+      Buffer<double> squares(this->Capacity);
+      auto fix = [&](const Block& block)
       {
-        if (own)
+        double* fixed = this->FixedWeights.data() + block.Entry;
+        std::size_t k = 0;
+        for (std::size_t i = block.First; i < block.Last; ++i)
         {
-          fix(entry++, i, i);
+          if (own)
+          {
+            fixed[k++] = weightOf(i);
+          }
+          for (const Index j : this->Graph.Row(i))
+          {
+            fixed[k++] = weightOf(j);
+          }
         }
-        for (const Index j : this->Graph.Row(i))
+        if (settings.SpatialSigma > 0.0 || curvature)
         {
-          fix(entry++, i, j);
+          SquaredDistances<false>(this->Graph, own, block, positions.data(), positions.data(),
+            squares.data());
         }
-      }
+        if (curvature)
+        {
+          InvertSquares(squares.data(), block.Count, shortest * shortest,
+            this->InverseSquaredDistances.data() + block.Entry);
+        }
+        if (settings.SpatialSigma > 0.0)
+        {
+          Attenuate(GaussianNorm{ settings.SpatialSigma }, squares.data(), block.Count, fixed);
+        }
+      };
+      ForBlocks(this->Graph, own, this->Capacity, begin, end, fix);
     });
 }
 
@@ -194,46 +256,32 @@ std::size_t NormalFilter::Sweep(const Fields& fields, Buffer<Vec3>& filtered,
   const std::size_t rows = this->Graph.NumberOfRows();
   const bool own = this->Settings.IncludeOwn;
   const NormalArgument argument = this->Settings.Argument;
-  const std::uint64_t* offsets = this->Graph.Offsets.data();
-  const std::size_t capacity = std::max(BlockPairs, RoundUp(this->LongestRow + 1));
   filtered.resize(rows);
   std::atomic<std::size_t> kept{ 0 };
-
   execution.For(rows,
     [&](std::size_t begin, std::size_t end)
     {
-      Buffer<double> weights(capacity);
+      Buffer<double> weights(this->Capacity);
       std::size_t keptHere = 0;
-      auto entryOf = [&](std::size_t i) { return offsets[i] + (own ? i : 0); };
-      for (std::size_t first = begin; first < end;)
+      auto filter = [&](const Block& block)
       {
-        std::size_t last = first + 1;
-        while (last < end && entryOf(last + 1) - entryOf(first) <= capacity)
-        {
-          ++last;
-        }
-        const Block block{ first, last, entryOf(first), entryOf(last) - entryOf(first) };
-        SquaredChords(this->Graph, own, block, fields.Centre.data(), fields.Compared.data(),
-          weights.data());
+        SquaredDistances<true>(this->Graph, own, block, fields.Centre.data(),
+          fields.Compared.data(), weights.data());
         if (argument != NormalArgument::Chord)
         {
           ChordsToAngles(weights.data(), block.Count);
         }
         if (argument == NormalArgument::DirectionalCurvature)
         {
-          const double* inverse = this->InverseSquaredDistances.data() + block.Entry;
-          for (std::size_t k = 0; k < block.Count; ++k)
-          {
-            weights[k] *= inverse[k];
-          }
+          Multiply(this->InverseSquaredDistances.data() + block.Entry, block.Count, weights.data());
         }
         std::visit([&](const auto& norm)
           { Weigh(norm, this->FixedWeights.data() + block.Entry, weights.data(), block.Count); },
           this->Settings.Norm);
         keptHere += WeightedMeans(this->Graph, own, block, weights.data(), fields.Data.data(),
           fields.Current.data(), filtered.data());
-        first = last;
-      }
+      };
+      ForBlocks(this->Graph, own, this->Capacity, begin, end, filter);
       kept += keptHere;
     });
   return kept;

@@ -84,7 +84,7 @@ public:
 private:
   const NeighborGraph& Graph;
   NormalFilterSettings Settings;
-  std::size_t LongestRow = 0;
+  std::size_t Capacity = 0; ///< entries of a block: some hundred, or those of the longest row
 
   /// Entries of row i, first the site itself if it is included, begin at Offsets[i] + i *
   /// IncludeOwn.

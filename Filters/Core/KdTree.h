@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file KdTree.h
+ * @brief The points near a place. Hides nanoflann.
+ */
+
+#ifndef SurfaceDenoising_KdTree_h
+#define SurfaceDenoising_KdTree_h
+
+#include "Types.h"
+
+namespace SurfaceDenoising
+{
+
+/**
+ * A search tree over points, which it copies. Queries may run on many threads at once.
+ *
+ * Points that are not finite are never found, and a query that is not finite finds nothing. Squared
+ * distances must fit into a double.
+ */
+class KdTree
+{
+public:
+  explicit KdTree(const Buffer<Vec3>& points);
+  ~KdTree();
+  KdTree(const KdTree&) = delete;
+  KdTree& operator=(const KdTree&) = delete;
+
+  /**
+   * The count points nearest to query, nearest first, equally distant ones by number; fewer if
+   * there are fewer. A point of the tree finds itself (or, among coincident points, the lowest
+   * numbers).
+   */
+  void Nearest(const Vec3& query, std::size_t count, std::vector<Index>& found) const;
+
+  /// All points at most radius away from query, nearest first, equally distant ones by number.
+  void Within(const Vec3& query, double radius, std::vector<Index>& found) const;
+
+private:
+  struct Tree;
+  std::unique_ptr<Tree> Hidden;
+};
+
+}
+
+#endif
