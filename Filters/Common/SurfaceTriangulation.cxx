@@ -10,7 +10,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
-#include "vtkQuad.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
@@ -74,14 +73,9 @@ public:
       this->Add(cell, ids[0], ids[1], ids[2]);
       return;
     }
-    vtkCell* polygon = this->Polygon;
-    if (count == 4)
-    {
-      polygon = this->Quad;
-    }
-    polygon->Initialize(static_cast<int>(count), ids, this->Points);
+    this->Polygon->Initialize(static_cast<int>(count), ids, this->Points);
     // Triangulate answers with point ids, three per triangle.
-    if (polygon->Triangulate(0, this->Corners, this->Ignored) != 0 &&
+    if (this->Polygon->Triangulate(0, this->Corners, this->Ignored) != 0 &&
       this->Corners->GetNumberOfIds() == 3 * (count - 2))
     {
       const vtkIdType* corners = this->Corners->GetPointer(0);
@@ -117,7 +111,6 @@ private:
 
   vtkPoints* Points;
   MeshView& View;
-  vtkNew<vtkQuad> Quad;
   vtkNew<vtkPolygon> Polygon;
   vtkNew<vtkIdList> Corners;
   vtkNew<vtkPoints> Ignored;

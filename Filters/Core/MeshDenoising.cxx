@@ -37,9 +37,10 @@ private:
   std::chrono::steady_clock::time_point Start;
 };
 
-/// x_ij over all pairs of edge-adjacent faces that have normals, each pair once.
+/// x_ij over all pairs of edge-adjacent faces that have normals, each pair once. Centroids closer
+/// than shortest belong to one face that was stored twice.
 Buffer<double> AdjacentDifferences(const TriangleMesh& mesh, const CompressedRows& stars,
-  const FaceGeometry& geometry, NormalArgument argument)
+  const FaceGeometry& geometry, NormalArgument argument, double shortest)
 {
   Buffer<double> differences;
   differences.reserve(mesh.NumberOfFaces() * 3 / 2);
@@ -49,7 +50,7 @@ Buffer<double> AdjacentDifferences(const TriangleMesh& mesh, const CompressedRow
       [&](Index g)
       {
         const double distance = (geometry.Centroids[f] - geometry.Centroids[g]).norm();
-        if (g > f && geometry.Areas[f] > 0.0 && geometry.Areas[g] > 0.0 && distance > 0.0)
+        if (g > f && geometry.Areas[f] > 0.0 && geometry.Areas[g] > 0.0 && distance > shortest)
         {
           const Vec3& m = geometry.Normals[f];
           const Vec3& n = geometry.Normals[g];
@@ -188,8 +189,8 @@ void Denoiser::ChooseScale()
     this->Report.NormScale = settings.NormScale;
     return;
   }
-  Buffer<double> differences =
-    AdjacentDifferences(this->Mesh, this->Stars, this->Geometry, settings.Argument);
+  Buffer<double> differences = AdjacentDifferences(this->Mesh, this->Stars, this->Geometry,
+    settings.Argument, 1e-12 * this->Report.MeanEdgeLength);
   const double sigma = RobustScale(differences, settings.Estimator) * unit;
   this->Report.NoNoiseFound = sigma < 1e-6;
   this->Report.NormScale = ScaleForOutlierBoundary(settings.Norm, sigma);
@@ -315,6 +316,11 @@ bool Denoiser::Run(Buffer<Vec3>& normals)
         return false;
       }
     }
+  }
+  if (settings.OuterIterations < 1 && !given)
+  {
+    ComputeFaceGeometry(this->Mesh, this->Report.MeanEdgeLength, this->Geometry, this->Exec);
+    normals.swap(this->Geometry.Normals);
   }
   this->Report.GuardedVertices = update.NumberOfGuardedVertices();
   this->Restore(normals);

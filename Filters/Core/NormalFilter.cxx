@@ -20,6 +20,9 @@ constexpr std::size_t RoundUp(std::size_t count) { return (count + Lanes - 1) / 
 /// Entries handled together: their weights stay in the first-level cache between the stages.
 constexpr std::size_t BlockEntries = 512;
 
+/// Sums of weights below this are none: their squares would lose digits, and normals their length.
+constexpr double NoWeight = 1e-140;
+
 /// Rows [First, Last) of the graph; their entries begin at Entry in the arrays of fixed values.
 struct Block
 {
@@ -170,7 +173,7 @@ std::size_t WeightedMeans(const CompressedRows& graph, bool own, const Block& bl
       add(data[ids[p]]);
     }
     const double length = std::sqrt(x * x + y * y + z * z);
-    if (length > 1e-12 * total)
+    if (length > std::max(1e-12 * total, NoWeight))
     {
       const double scale = 1.0 / length;
       filtered[i] = Vec3(x * scale, y * scale, z * scale);

@@ -73,9 +73,9 @@ double EfficiencyConstant(NormId norm)
     case NormId::Tukey:
       return 4.685;
     case NormId::Box:
-      return 2.75;
+      return 2.710;
     case NormId::Centin:
-      return 1.30;
+      return 1.292;
     case NormId::L2:
       return std::numeric_limits<double>::infinity();
     case NormId::L1:

@@ -126,6 +126,7 @@ void VertexUpdate::IntegralFitStep(const Buffer<Vec3>& positions, const Buffer<V
   Buffer<Vec3>& moved, Execution& execution)
 {
   constexpr double step = 0.05; // stable below 0.19 on equilateral meshes
+  const double smallest = 1e-12 * this->Scale * this->Scale; // below it a normal is rounding error
   const bool fixBoundary = this->Settings.Boundary == BoundaryHandling::Fixed;
   this->FaceMisfit.resize(targets.size());
   execution.For(targets.size(),
@@ -137,7 +138,7 @@ void VertexUpdate::IntegralFitStep(const Buffer<Vec3>& positions, const Buffer<V
         const Vec3& a = positions[t[0]];
         const Vec3 s = (positions[t[1]] - a).cross(positions[t[2]] - a);
         const double length = s.norm();
-        const bool ignore = targets[f].squaredNorm() == 0.0 || !(length > 0.0);
+        const bool ignore = targets[f].squaredNorm() == 0.0 || !(0.5 * length > smallest);
         this->FaceMisfit[f] = ignore ? Vec3(0.0, 0.0, 0.0) : Vec3(s / length - targets[f]);
       }
     });

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Runs the application on good and bad files and looks at exit codes and messages.
+
+# expect(<exit code> <pattern of the output> <argument>...)
+function (expect code pattern)
+  execute_process(COMMAND "${denoise}" ${ARGN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if (NOT result STREQUAL "${code}" OR NOT output MATCHES "${pattern}")
+    message(SEND_ERROR "denoise ${ARGN}: exit code ${result} instead of ${code}, or no \"${pattern}\" in:\n${output}")
+  endif ()
+endfunction ()
+
+set(cube "OFF
+8 6 0
+0 0 0\n1 0 0.1\n1 1 0\n0 1 0.05\n0 0 1\n1 0 1\n1 1 1.1\n0 1 1
+4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
+file(WRITE cube.off "${cube}")
+file(WRITE points.off "OFF\n2 0 0\n0 0 0\n1 1 1\n")
+file(WRITE broken.off "OFF\n8 6 0\n0 0 0\n1 0\n")
+file(WRITE empty.ply "")
+file(WRITE scan.docx "a mesh, perhaps")
+file(WRITE lies.stl "this is no STL file")
+string(REPLACE "0 1 0.05" "0 nan 0.05" not_finite "${cube}")
+file(WRITE not_finite.off "${not_finite}")
+
+foreach (extension IN ITEMS ply obj stl vtp vtk)
+  expect(0 "8 points, 6 polygons" cube.off clean.${extension} --vertex-iterations 3)
+  if (NOT EXISTS "${CMAKE_CURRENT_BINARY_DIR}/clean.${extension}")
+    message(SEND_ERROR "clean.${extension} was not written")
+  endif ()
+  expect(0 "^$" clean.${extension} again.ply --quiet)
+endforeach ()
+expect(0 "after:.*mean normal angle" cube.off clean.ply --reference cube.off --threads 1)
+expect(0 "denoising 100%" cube.off clean.ply --method robust --norm truncated-l2 --range-scale 0.5)
+
+expect(0 "--method" --help)
+expect(1 "required" cube.off)
+expect(1 "norm" cube.off clean.ply --method robust --norm mean-ish)
+expect(1 "belongs to" cube.off clean.ply --norm tukey)
+expect(2 "no such file" missing.ply clean.ply)
+expect(2 "folder" . clean.ply)
+expect(2 "empty" empty.ply clean.ply)
+expect(2 "lies.stl" lies.stl clean.ply)
+expect(2 "broken.off" broken.off clean.ply)
+expect(2 "no polygons" points.off clean.ply)
+expect(2 "not as" scan.docx clean.ply)
+expect(4 "not as" cube.off clean.docx)
+expect(4 "no folder" cube.off nowhere/clean.ply)

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOFFReader.h"
+
+#include "OFFBinaryScanner.h"
+#include "OFFColors.h"
+#include "OFFKeyword.h"
+#include "OFFTextScanner.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// The first \p most bytes of a file, or all of it; throws if it cannot be opened or read.
+std::string LoadFile(const char* name, std::size_t most = std::string::npos)
+{
+  vtksys::ifstream file(name, std::ios::in | std::ios::binary);
+  if (!file || vtksys::SystemTools::FileIsDirectory(name))
+  {
+    const bool exists = vtksys::SystemTools::FileExists(name);
+    throw OFFError("the file cannot be opened",
+      exists ? vtkErrorCode::CannotOpenFileError : vtkErrorCode::FileNotFoundError);
+  }
+  file.seekg(0, std::ios::end);
+  const std::streamoff size = file.tellg(); // -1 for what has no size, such as a pipe
+  std::string bytes(size < 0 ? 0 : std::min(most, static_cast<std::size_t>(size)), '\0');
+  file.seekg(0, std::ios::beg);
+  if (size < 0 || !file.read(&bytes[0], static_cast<std::streamsize>(bytes.size())))
+  {
+    throw OFFError("the file cannot be read", vtkErrorCode::CannotOpenFileError);
+  }
+  return bytes;
+}
+
+struct Counts
+{
+  vtkIdType Vertices;
+  vtkIdType Faces;
+};
+
+/// Read the counts of the header and refuse those for which the file has no room, so that nothing
+/// is ever allocated that is not backed by data.
+template <typename Scanner>
+Counts ReadCounts(Scanner& scanner, const OFFKeyword& keyword)
+{
+  const vtkIdType vertices = scanner.ReadInteger("the number of vertices");
+  const vtkIdType faces = scanner.ReadInteger("the number of faces");
+  scanner.SkipEdgeCount();
+  const std::size_t reals =
+    3 + (keyword.Normals ? 3 : 0) + (keyword.Colors ? 3 : 0) + (keyword.TextureCoordinates ? 2 : 0);
+  // The last number of a text need not be followed by a space.
+  const double room = static_cast<double>(scanner.RemainingBytes()) + 1.0;
+  const double needed = static_cast<double>(vertices) * Scanner::MinimumVertexBytes(reals) +
+    static_cast<double>(faces) * Scanner::MinimumFaceBytes;
+  if (vertices < 0 || faces < 0 || needed > room)
+  {
+    scanner.Fail("the header announces " + std::to_string(vertices) + " vertices and " +
+      std::to_string(faces) + " faces, which do not fit into the rest of the file (" +
+      std::to_string(scanner.RemainingBytes()) + " bytes)");
+  }
+  return { vertices, faces };
+}
+
+template <typename Scanner>
+void ReadVertices(Scanner& scanner, const OFFKeyword& keyword, vtkIdType count, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(keyword.Normals ? count : 0);
+  vtkNew<vtkDoubleArray> textureCoordinates;
+  textureCoordinates->SetName("TextureCoordinates");
+  textureCoordinates->SetNumberOfComponents(2);
+  textureCoordinates->SetNumberOfTuples(keyword.TextureCoordinates ? count : 0);
+  OFFColors colors;
+
+  const auto readTuple = [&scanner](double* tuple, int size, const char* what)
+  { std::generate_n(tuple, size, [&] { return scanner.ReadReal(what); }); };
+  auto* const coordinates = vtkDoubleArray::SafeDownCast(points->GetData());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    readTuple(coordinates->GetPointer(3 * i), 3, "a coordinate");
+    if (keyword.Normals)
+    {
+      readTuple(normals->GetPointer(3 * i), 3, "a normal component");
+    }
+    if (keyword.Colors)
+    {
+      colors.Append(scanner.ReadVertexColor(keyword.TextureCoordinates));
+    }
+    if (keyword.TextureCoordinates)
+    {
+      readTuple(textureCoordinates->GetPointer(2 * i), 2, "a texture coordinate");
+    }
+  }
+
+  output->SetPoints(points);
+  if (keyword.Normals)
+  {
+    output->GetPointData()->SetNormals(normals);
+  }
+  if (keyword.TextureCoordinates)
+  {
+    output->GetPointData()->SetTCoords(textureCoordinates);
+  }
+  if (const auto array = colors.MakeArray())
+  {
+    output->GetPointData()->SetScalars(array);
+  }
+}
+
+template <typename Scanner>
+void ReadFaces(Scanner& scanner, const Counts& counts, vtkPolyData* output)
+{
+  // A polydata numbers its vertices before its lines and these before its polygons.
+  struct Kind
+  {
+    vtkNew<vtkCellArray> Cells;
+    OFFColors Colors;
+  };
+  std::array<Kind, 3> kinds;
+  kinds[2].Cells->AllocateEstimate(counts.Faces, 3);
+
+  std::vector<vtkIdType> corners;
+  for (vtkIdType face = 0; face < counts.Faces; ++face)
+  {
+    const vtkIdType size = scanner.ReadInteger("the number of corners of a face");
+    if (size < 1 || static_cast<std::size_t>(size) > scanner.RemainingBytes())
+    {
+      scanner.Fail("face " + std::to_string(face) + " has " + std::to_string(size) + " corners");
+    }
+    corners.resize(size);
+    for (vtkIdType& corner : corners)
+    {
+      corner = scanner.ReadInteger("the index of a corner");
+      if (corner < 0 || corner >= counts.Vertices)
+      {
+        scanner.Fail("face " + std::to_string(face) + " refers to vertex " +
+          std::to_string(corner) + ", the file has vertices 0 to " +
+          std::to_string(counts.Vertices - 1));
+      }
+    }
+    Kind& kind = kinds[std::min<vtkIdType>(size, 3) - 1];
+    kind.Cells->InsertNextCell(size, corners.data());
+    kind.Colors.Append(scanner.ReadFaceColor());
+  }
+
+  if (counts.Faces == 0)
+  {
+    for (vtkIdType point = 0; point < counts.Vertices; ++point)
+    {
+      kinds[0].Cells->InsertNextCell(1, &point);
+    }
+  }
+  output->SetVerts(kinds[0].Cells);
+  output->SetLines(kinds[1].Cells);
+  output->SetPolys(kinds[2].Cells);
+
+  OFFColors colors;
+  for (const Kind& kind : kinds)
+  {
+    colors.Append(kind.Colors);
+  }
+  if (const auto array = colors.MakeArray())
+  {
+    output->GetCellData()->SetScalars(array);
+  }
+}
+
+template <typename Scanner>
+void ReadSurface(Scanner scanner, const OFFKeyword& keyword, vtkPolyData* output)
+{
+  const Counts counts = ReadCounts(scanner, keyword);
+  ReadVertices(scanner, keyword, counts.Vertices, output);
+  ReadFaces(scanner, counts, output);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(vtkOFFReader);
+
+//------------------------------------------------------------------------------
+int vtkOFFReader::CanReadFile(const char* filename)
+{
+  try
+  {
+    ReadOFFKeyword(LoadFile(filename ? filename : "", 4096));
+    return 1;
+  }
+  catch (const OFFError&)
+  {
+    return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkOFFReader::RequestData(vtkInformation*, vtkInformationVector**,
+  vtkInformationVector* outputVector)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("A FileName must be specified.");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return 0;
+  }
+
+  try
+  {
+    const std::string text = LoadFile(this->FileName);
+    const OFFKeyword keyword = ReadOFFKeyword(text);
+    vtkNew<vtkPolyData> surface;
+    if (keyword.Binary)
+    {
+      ReadSurface(OFFBinaryScanner(text, keyword.Length), keyword, surface);
+    }
+    else
+    {
+      ReadSurface(OFFTextScanner(text, keyword.Length), keyword, surface);
+    }
+    vtkPolyData::GetData(outputVector)->ShallowCopy(surface);
+    return 1;
+  }
+  catch (const OFFError& error)
+  {
+    vtkErrorMacro(<< this->FileName << ": " << error.what());
+    this->SetErrorCode(error.Code);
+    return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOFFReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Everything that must hold before a change goes in, on a bare Debian 12 (as root or with sudo):
+#
+#   build-paraview  ParaView 5.11 with plugin and Python   all tests
+#   build-vtk       plain VTK 9.1 with Python              all tests but those of the plugin
+#   build-asan      plain VTK 9.1, address and undefined   tests in C++
+#
+# Ends with zero only if all builds and tests went well. Further arguments go to ctest.
+
+set -u -o pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+source Testing/packages.sh
+
+install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${vtk_packages[@]}" \
+  "${test_packages[@]}" || exit 1
+fetch_plain_vtk "${XDG_CACHE_HOME:-$HOME/.cache}/surface-denoising/vtk-9.1" || exit 1
+
+export CMAKE_GENERATOR=Ninja
+if command -v ccache >/dev/null; then
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+fi
+common=(-DPython3_EXECUTABLE=/usr/bin/python3)
+plain=("${common[@]}" -DSurfaceDenoising_WITH_PARAVIEW=OFF "-DCMAKE_PREFIX_PATH=$plain_vtk")
+sanitized=("${plain[@]}" -DSurfaceDenoising_WRAP_PYTHON=OFF
+  "-DSurfaceDenoising_SANITIZE=address,undefined"
+  # Optimized, or it takes too long, but with assertions.
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g")
+
+failures=()
+
+# build <folder> <cmake argument>...: quiet unless it fails or the compiler has something to say.
+build() {
+  local folder=$1 log=$1/run.log
+  shift
+  mkdir -p "$folder"
+  echo "-- building $folder"
+  if ! { cmake -S . -B "$folder" "$@" && cmake --build "$folder"; } >"$log" 2>&1; then
+    tail -n 60 "$log"
+    failures+=("$folder (build)")
+    return 1
+  fi
+  grep -A 3 'warning:' "$log" || true
+}
+
+run_tests() {
+  echo "-- testing $1"
+  ctest --test-dir "$@" --output-on-failure --no-tests=error --parallel "$(nproc)" ||
+    failures+=("$1 (tests)")
+}
+
+built=()
+build build-paraview "${common[@]}" && built+=(build-paraview)
+build build-vtk "${plain[@]}" && built+=(build-vtk)
+build build-asan "${sanitized[@]}" && built+=(build-asan)
+for folder in "${built[@]}"; do
+  run_tests "$folder" "$@"
+done
+
+if [ ${#failures[@]} -gt 0 ]; then
+  printf 'FAILED: %s\n' "${failures[@]}" >&2
+  exit 1
+fi
