@@ -80,8 +80,8 @@ void PrintComparison(const char* name, vtkPolyData* surface, vtkPolyData* refere
   comparison->SetInputData(surface);
   comparison->SetReferenceData(reference);
   comparison->Update();
-  std::printf("%-9s mean normal angle %.2f degrees, E_v %.3g\n", name,
-    comparison->GetMeanNormalAngle(), comparison->GetPositionError());
+  std::printf("%-8s mean normal angle %.2f degrees, E_v %.2f thousandths of the diagonal\n", name,
+    comparison->GetMeanNormalAngle(), 1000.0 * comparison->GetRelativePositionError());
 }
 
 }

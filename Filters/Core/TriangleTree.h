@@ -5,14 +5,16 @@
  * @file TriangleTree.h
  * @brief The face of a mesh that is nearest to a position, and its distance.
  *
- * A binary tree of bounding boxes. Unlike the cell locators of VTK it does not mark visited cells,
- * so that a query takes a small fraction of their time on large meshes.
+ * The hierarchy of bounding boxes is Eigen's. VTK's cell locators took some twenty times as long
+ * for the distances between two meshes of half a million faces.
  */
 
 #ifndef SurfaceDenoising_TriangleTree_h
 #define SurfaceDenoising_TriangleTree_h
 
 #include "TriangleMesh.h"
+
+#include <unsupported/Eigen/BVH>
 
 #include <limits>
 
@@ -47,21 +49,10 @@ private:
     std::array<Vec3, 3> Corners;
     Index Face;
   };
+  class Search;
 
-  /// An inner node is followed by its first child.
-  struct Node
-  {
-    Vec3 Low;
-    Vec3 High;
-    Index FirstLeaf;
-    Index NumberOfLeaves; ///< 0: an inner node
-    Index SecondChild;
-  };
-
-  void Build(std::size_t first, std::size_t last);
-
-  Buffer<Leaf> Leaves;
-  Buffer<Node> Nodes;
+  Eigen::KdBVH<double, 3, Leaf> Tree;
+  bool IsEmpty = true;
 };
 
 }
