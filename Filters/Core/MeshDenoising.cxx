@@ -5,6 +5,7 @@
 
 #include "CoincidentVertices.h"
 #include "FaceOrientation.h"
+#include "SpatialOrder.h"
 
 #include <chrono>
 #include <numeric>
@@ -332,7 +333,32 @@ bool Denoiser::Run(Buffer<Vec3>& normals)
 bool DenoiseMesh(TriangleMesh& mesh, Buffer<Vec3>& normals, const MeshDenoisingSettings& settings,
   MeshDenoisingReport& report, Execution& execution)
 {
-  return Denoiser(mesh, settings, report, execution).Run(normals);
+  if (!IsScattered(mesh, execution))
+  {
+    return Denoiser(mesh, settings, report, execution).Run(normals);
+  }
+  SpatialOrder order;
+  TriangleMesh ordered;
+  Buffer<Vec3> orderedNormals;
+  {
+    const Stopwatch stopwatch(report.SetupSeconds);
+    order = FindSpatialOrder(mesh, execution);
+    ordered = Reorder(mesh, order);
+    if (normals.size() == mesh.NumberOfFaces())
+    {
+      orderedNormals = Gather(normals, order.Faces);
+    }
+  }
+  if (!Denoiser(ordered, settings, report, execution).Run(orderedNormals))
+  {
+    return false;
+  }
+  Scatter(ordered.Positions, order.Vertices, mesh.Positions);
+  if (!orderedNormals.empty())
+  {
+    Scatter(orderedNormals, order.Faces, normals);
+  }
+  return true;
 }
 
 }

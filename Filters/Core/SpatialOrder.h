@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file SpatialOrder.h
+ * @brief Numbers faces and vertices so that neighbours in space are neighbours in memory.
+ *
+ * Most files are written patch by patch, but some are not: then every look at a neighbour waits for
+ * main memory, and the work takes about four times as long.
+ */
+
+#ifndef SurfaceDenoising_SpatialOrder_h
+#define SurfaceDenoising_SpatialOrder_h
+
+#include "TriangleMesh.h"
+
+namespace SurfaceDenoising
+{
+
+/**
+ * True if the mesh does not fit into caches and its successive faces, or successive vertices, lie
+ * more than 20 edge lengths apart on average.
+ */
+bool IsScattered(const TriangleMesh& mesh, Execution& execution);
+
+/// Old numbers in the new order.
+struct SpatialOrder
+{
+  Buffer<Index> Faces;
+  Buffer<Index> Vertices;
+};
+
+/// Faces along a Z-order curve through their centroids, vertices as faces use them, others last.
+SpatialOrder FindSpatialOrder(const TriangleMesh& mesh, Execution& execution);
+
+/// The mesh with new numbers.
+TriangleMesh Reorder(const TriangleMesh& mesh, const SpatialOrder& order);
+
+/// ordered[i] = values[order[i]].
+template <typename Value>
+Buffer<Value> Gather(const Buffer<Value>& values, const Buffer<Index>& order)
+{
+  Buffer<Value> ordered(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ordered[i] = values[order[i]];
+  }
+  return ordered;
+}
+
+/// values[order[i]] = ordered[i].
+template <typename Value>
+void Scatter(const Buffer<Value>& ordered, const Buffer<Index>& order, Buffer<Value>& values)
+{
+  values.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    values[order[i]] = ordered[i];
+  }
+}
+
+}
+
+#endif

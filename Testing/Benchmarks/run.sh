@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# run.sh [build folder [cmake argument...]]: builds and runs the benchmarks on the Fandisk model that
+# Debian ships with CGAL, and prints a table. The machine should have nothing else to do.
+
+set -eu -o pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source Testing/packages.sh
+build=${1:-build-benchmarks}
+[ $# -gt 0 ] && shift
+
+install_packages "${build_packages[@]}" "${paraview_packages[@]}" libbenchmark-dev libcgal-demo
+
+mkdir -p "$build"
+if [ ! -e "$build/fandisk.off" ]; then
+  tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -O data/meshes/fandisk.off >"$build/fandisk.off"
+fi
+export SURFACE_DENOISING_BENCHMARK_MESH="$build/fandisk.off"
+
+cmake -G Ninja -S . -B "$build" -DSurfaceDenoising_BUILD_BENCHMARKS=ON \
+  -DSurfaceDenoising_WRAP_PYTHON=OFF -DSurfaceDenoising_WITH_PARAVIEW=OFF "$@" >"$build/run.log"
+cmake --build "$build" >>"$build/run.log"
+
+programs="$build/Testing/Benchmarks"
+"$programs/SurfaceDenoisingBenchmarks" \
+  --benchmark_out="$build/times.json" --benchmark_out_format=json
+for cuts in 3 9 18; do
+  "$programs/SurfaceDenoisingPeakMemory" $cuts
+done >"$build/memory.txt"
+python3 Testing/Benchmarks/table.py "$build/times.json" "$build/memory.txt"
