@@ -26,3 +26,6 @@ install(
     "${CMAKE_BINARY_DIR}/${package_destination}/SurfaceDenoisingConfigVersion.cmake"
   DESTINATION "${package_destination}"
   COMPONENT development)
+install(FILES "${CMAKE_CURRENT_SOURCE_DIR}/Filters/LICENSE"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/SurfaceDenoising"
+  COMPONENT runtime)

@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every filter runs from paraview.simple, on a sphere and on an OFF file, and does its work."""
+
+from paraview.simple import (BilateralNormalFilter, NormalVertexUpdate, OpenDataFile,
+                             RobustNormalFilter, Sphere, SurfaceComparison, SurfaceNoise)
+from paraview.servermanager import Fetch
+
+
+def write_cube(name, n):
+    """A cube of n x n x 2 triangles per side whose sides share their points."""
+    ids, triangles = {}, []
+
+    def point(*position):
+        return ids.setdefault(position, len(ids))
+
+    for axis in range(3):
+        for side in (0, n):
+            for i in range(n):
+                for j in range(n):
+                    corners = []
+                    for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                        position = [0, 0, 0]
+                        position[axis], position[axis - 2], position[axis - 1] = side, a, b
+                        corners.append(point(*position))
+                    if side == 0:
+                        corners.reverse()
+                    triangles += [(corners[0], corners[1], corners[2]),
+                                  (corners[0], corners[2], corners[3])]
+    with open(name, "w") as file:
+        file.write("OFF\n{} {} 0\n".format(len(ids), len(triangles)))
+        file.writelines("{} {} {}\n".format(*position) for position in ids)
+        file.writelines("3 {} {} {}\n".format(*triangle) for triangle in triangles)
+
+
+def information(proxy, name):
+    proxy.UpdatePipeline()
+    proxy.UpdatePropertyInformation()
+    return proxy.GetProperty(name).GetData()
+
+
+def mean_angle(surface, truth):
+    return information(SurfaceComparison(Input=surface, Reference=truth), "MeanNormalAngle")
+
+
+def check(truth):
+    noisy = SurfaceNoise(Input=truth, NoiseType="Gaussian", Direction="Vertex Normals", Size=0.2)
+    assert information(noisy, "UnitLength") > 0.0
+    before = mean_angle(noisy, truth)
+    assert before > 5.0, before
+
+    bilateral = BilateralNormalFilter(Input=noisy, NumberOfNormalIterations=10)
+    assert information(bilateral, "UsedRangeScale") == 0.35
+    assert information(bilateral, "MeanEdgeLength") > 0.0
+    robust = RobustNormalFilter(Input=noisy, Norm="Tukey", Argument="Angle", ScaleSource="Given",
+                                RangeScale=60.0, Neighborhood="Radius", Radius=2.5)
+    assert abs(information(robust, "UsedRangeScale") - 60.0) < 1e-9
+    for result in (bilateral, robust):
+        after = mean_angle(result, truth)
+        assert after < 0.6 * before, (result.GetXMLName(), before, after)
+
+    # The two stages as two steps, without an update in between, are one filter.
+    normals = BilateralNormalFilter(Input=noisy, NumberOfNormalIterations=10, UpdateVertices=0)
+    both = NormalVertexUpdate(Input=normals)
+    assert list(both.Normals) == ["CELLS", "FilteredNormals"], both.Normals
+    both.UpdatePipeline()
+    difference = mean_angle(both, bilateral)
+    assert difference < 1e-6, difference
+    assert mean_angle(normals, noisy) == 0.0
+
+    # Start normals from another array; by default not even FilteredNormals is taken.
+    again = RobustNormalFilter(Input=normals, NumberOfNormalIterations=0)
+    assert again.StartNormals[1] == "None", again.StartNormals
+    again.StartNormals = ["CELLS", "FilteredNormals"]
+    difference = mean_angle(again, bilateral)
+    assert difference < 1e-6, difference
+
+    # The quantities are a table on the second output.
+    comparison = SurfaceComparison(Input=bilateral, Reference=truth)
+    comparison.UpdatePipeline()
+    table = Fetch(comparison, idx=1)
+    assert table.IsA("vtkTable") and table.GetNumberOfRows() == 1, table
+    assert table.GetColumnByName("MeanNormalAngle").GetValue(0) == mean_angle(bilateral, truth)
+    assert "NormalAngleError" in comparison.CellData.keys(), comparison.CellData.keys()
+
+
+check(Sphere(ThetaResolution=40, PhiResolution=40))
+write_cube("cube.off", 12)
+check(OpenDataFile("cube.off"))
