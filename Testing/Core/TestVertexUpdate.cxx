@@ -105,14 +105,19 @@ TEST(VertexUpdate, IntegralFitDescendsItsEnergy)
 
 TEST(VertexUpdate, FacesWithoutTargetAreIgnored)
 {
-  TriangleMesh mesh = Fan();
-  Buffer<Vec3> targets = Up;
-  targets[1] = Vec3(0, 0, 0);
-  Move(mesh, targets, VertexUpdateSettings());
-  EXPECT_NEAR(mesh.Positions[0].z(), 1.0 / 6.0, 1e-15); // the mean of the three others
-  mesh = Fan();
-  Move(mesh, Buffer<Vec3>(4, Vec3(0, 0, 0)), VertexUpdateSettings());
-  EXPECT_EQ(mesh.Positions, Fan().Positions);
+  for (const VertexScheme scheme : { VertexScheme::FaceMean, VertexScheme::AreaWeighted })
+  {
+    VertexUpdateSettings settings;
+    settings.Scheme = scheme;
+    TriangleMesh mesh = Fan();
+    Buffer<Vec3> targets = Up;
+    targets[1] = Vec3(0, 0, 0);
+    Move(mesh, targets, settings);
+    EXPECT_NEAR(mesh.Positions[0].z(), 1.0 / 6.0, 1e-15); // the mean of the three others
+    mesh = Fan();
+    Move(mesh, Buffer<Vec3>(4, Vec3(0, 0, 0)), settings);
+    EXPECT_EQ(mesh.Positions, Fan().Positions);
+  }
 }
 
 TEST(VertexUpdate, FreeBoundaryMoves)

@@ -56,12 +56,22 @@ def check_proxy(name, proxy, vtk_object):
     menu = proxy.GetHints().FindNestedElementByName("ShowInMenu")
     expect(menu.GetAttribute("category") == "Surface Denoising", name, "menu")
     expect(proxy.GetProcessSupport() == proxy.SINGLE_PROCESS, name, "has no parallel version")
-    for index in range(proxy.GetNumberOfPropertyGroups()):
-        group = proxy.GetPropertyGroup(index)
-        expect(group.GetXMLLabel(), name, "a group has no label")
-        for member in range(group.GetNumberOfProperties()):
-            expect(group.GetProperty(member), name, "group {} names a property that is not there"
-                   .format(group.GetXMLLabel()))
+
+
+def check_panel(name, proxy):
+    """All that the panel shows is in a group, and what hides it is there."""
+    groups = [proxy.GetPropertyGroup(i) for i in range(proxy.GetNumberOfPropertyGroups())]
+    members = {group.GetProperty(i).GetXMLName()
+               for group in groups for i in range(group.GetNumberOfProperties())}
+    for key, prop in properties(proxy):
+        if not prop.IsA("vtkSMInputProperty") and prop.GetPanelVisibility() != "never":
+            expect(key in members, name, key, "is in no group")
+    for part in groups + [prop for _, prop in properties(proxy)]:
+        hints = part.GetHints()
+        decorator = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
+        if decorator:
+            other = decorator.GetAttribute("property")
+            expect(proxy.GetProperty(other), name, "a decorator asks for", other)
 
 
 def check_enumeration(where, name, domain, vtk_object):
@@ -98,7 +108,8 @@ def check_property(where, name, prop, vtk_object):
         return
     expect(command == "Set" + name, where, "command", command)
     value = getattr(vtk_object, "Get" + name)()
-    expect(prop.GetDefaultValue(0) == value, where, "default", prop.GetDefaultValue(0), "of", value)
+    default = prop.GetElement(0)  # a prototype has its default values
+    expect(default == value, where, "default", default, "of the class", value)
     domain = prop.FindDomain("vtkSMEnumerationDomain")
     if domain:
         check_enumeration(where, name, domain, vtk_object)
@@ -113,6 +124,7 @@ for filter_name, filter_object in concrete_filters():
         expect(False, filter_name, "the plugin has no such proxy")
         continue
     check_proxy(filter_name, prototype, filter_object)
+    check_panel(filter_name, prototype)
     found = dict(properties(prototype))
     for property_name, sm_property in found.items():
         check_property(filter_name + "." + property_name, property_name, sm_property, filter_object)

@@ -8,6 +8,7 @@ from paraview.simple import (GetSources, LoadState, ResetSession, RobustNormalFi
 from paraview.servermanager import Fetch
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+
 def build():
     sphere = Sphere(ThetaResolution=24, PhiResolution=24)
     noisy = SurfaceNoise(Input=sphere, Direction="Random", Size=0.25, Seed=7)
