@@ -62,6 +62,11 @@ bool WriteWith(const std::string& path, vtkPolyData* surface, std::string& messa
   vtkNew<Writer> writer;
   vtkNew<MessageKeeper> keeper;
   keeper->Watch(writer);
+  if constexpr (std::is_same_v<Writer, vtkXMLPolyDataWriter>)
+  {
+    // The default, raw data behind the XML, is refused by recent versions of expat.
+    writer->SetDataModeToBinary();
+  }
   writer->SetFileName(path.c_str());
   writer->SetInputData(surface);
   const bool written = writer->Write() != 0;

@@ -8,6 +8,7 @@ surface (denoised.vtp, denoised.ply), a picture (denoising.png) and a table.
 """
 
 import argparse
+import math
 import os
 import sys
 import time
@@ -83,7 +84,10 @@ def make_filter(options, noisy):
 def seconds_to_update(proxy):
     start = time.perf_counter()
     proxy.UpdatePipeline()
-    return time.perf_counter() - start
+    seconds = time.perf_counter() - start
+    if proxy.GetDataInformation().GetNumberOfCells() == 0:
+        sys.exit("demo: the surface cannot be denoised")
+    return seconds
 
 
 def report(proxy, name):
@@ -91,6 +95,10 @@ def report(proxy, name):
     proxy.UpdatePipeline()
     proxy.UpdatePropertyInformation()
     return proxy.GetProperty(name).GetData()
+
+
+def number(value, form):
+    return "-" if math.isnan(value) else form.format(value)  # volumes of open surfaces
 
 
 def print_table(head, rows):
@@ -115,7 +123,7 @@ def denoise_known(options, picture):
         comparisons.append(comparison)
         rows.append([name, "{:.2f}".format(report(comparison, "MeanNormalAngle")),
                      "{:.3f}".format(1000.0 * report(comparison, "RelativePositionError")),
-                     "{:+.3f}".format(100.0 * report(comparison, "RelativeVolumeChange")),
+                     number(100.0 * report(comparison, "RelativeVolumeChange"), "{:+.3f}"),
                      "{:.2f}".format(seconds)])
     angles = ["{:.1f}\u00b0".format(report(comparison, "MeanNormalAngle"))
               for comparison in comparisons]
@@ -149,7 +157,7 @@ def denoise_unknown(options, picture):
               max(displacement.max(), 1e-9), "Edge lengths")],
                  options.view, options.up)
     print_table(["model", "volume change (%)", "mean displacement (edge lengths)", "seconds"],
-                [["denoised", "{:+.3f}".format(100.0 * volume),
+                [["denoised", number(100.0 * volume, "{:+.3f}"),
                   "{:.3f}".format(displacement.mean()), "{:.2f}".format(seconds)]])
     return denoised
 
@@ -161,12 +169,17 @@ def main():
     def output(name):
         return os.path.join(options.output, name)
 
+    results = ("denoised.vtp", "denoised.ply", "denoising.png")
+    for name in results:
+        if os.path.exists(output(name)):
+            os.remove(output(name))  # of an earlier run
+
     denoise = denoise_known if options.truth else denoise_unknown
     denoised = denoise(options, output("denoising.png"))
     # Not "Appended", the default: VTK 9.2 cannot read that with the expat of today's Debian 12.
     SaveData(output("denoised.vtp"), denoised, DataMode="Binary")
     SaveData(output("denoised.ply"), denoised)
-    for name in ("denoised.vtp", "denoised.ply", "denoising.png"):
+    for name in results:
         if not os.path.isfile(output(name)):
             sys.exit("demo: {} could not be written".format(output(name)))
         print("-- wrote", output(name))

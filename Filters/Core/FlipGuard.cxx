@@ -44,6 +44,15 @@ std::size_t PreventFlips(const TriangleMesh& topology, const CompressedRows& sta
     {
       return false;
     }
+    // Nearly all faces are fine, which shows without a root.
+    const Vec3 s = (moved[t[1]] - moved[t[0]]).cross(moved[t[2]] - moved[t[0]]);
+    const double cosine = s.dot(target);
+    const double square = s.squaredNorm();
+    if (cosine > 0.0 && cosine * cosine > 1.0001 * CosineOfSteepest * CosineOfSteepest * square &&
+      square > 4.0001 * smallestArea * smallestArea)
+    {
+      return false;
+    }
     const double now = Agreement(t, moved, target, smallestArea);
     return now < CosineOfSteepest && now < Agreement(t, positions, target, smallestArea);
   };

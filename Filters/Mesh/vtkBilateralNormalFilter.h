@@ -36,9 +36,9 @@ public:
   ///@{
   /**
    * The range scale s_r in chord lengths of unit normals (0.35, the default, is 20 degrees; 0.52 is
-   * 30; 1 is 60). Useful from 0.2 for little noise to 0.6 for a lot. 0: taken from the data, the
-   * robust standard deviation (median absolute deviation) of the differences of neighbouring
-   * normals.
+   * 30; 1 is 60). From 0.2 for little noise to 0.6 for a lot on smooth objects; above 0.45 sharp
+   * edges get rounded. 0: taken from the data, the robust standard deviation (median absolute
+   * deviation) of the differences of neighbouring normals.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);

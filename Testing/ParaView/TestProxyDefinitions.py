@@ -37,9 +37,8 @@ def properties(proxy):
 
 def settings(vtk_object):
     """Names X of all pairs SetX, GetX that the classes of the project add."""
-    foreign = set(dir(vtkPolyDataAlgorithm))
-    return {name[3:] for name in dir(vtk_object)
-            if name.startswith("Set") and name not in foreign and hasattr(vtk_object, "G" + name[1:])}
+    added = set(dir(vtk_object)) - set(dir(vtkPolyDataAlgorithm))
+    return {name[3:] for name in added if name.startswith("Set") and "G" + name[1:] in added}
 
 
 def normalized(text):
