@@ -33,13 +33,14 @@ public:
 
 /**
  * Builds rows in parallel. append(i, ids) adds the entries of row i at the end of ids and must not
- * look at what is there already. Every chunk of rows is collected on its own and then copied to its
- * place, so that each row is computed once although its length is not known beforehand.
+ * look at what is there already. Every chunk of rows, the least that a thread takes, is collected on
+ * its own and then copied to its place, so that each row is computed once although its length is not
+ * known beforehand.
  */
 template <typename Append>
-CompressedRows BuildRows(Execution& execution, std::size_t count, Append append)
+CompressedRows BuildRows(Execution& execution, std::size_t count, Append append,
+  std::size_t chunk = 4096)
 {
-  constexpr std::size_t chunk = 4096;
   const std::size_t chunks = (count + chunk - 1) / chunk;
   std::vector<Buffer<Index>> parts(chunks);
   CompressedRows rows;

@@ -58,7 +58,8 @@ std::size_t PreventFlips(const TriangleMesh& topology, const CompressedRows& sta
   };
 
   // Few faces fail: after one pass over all, the rounds deal with lists.
-  const CompressedRows failing = BuildRows(execution, (topology.NumberOfFaces() + 1023) / 1024,
+  const CompressedRows failing = BuildRows(
+    execution, (topology.NumberOfFaces() + 1023) / 1024,
     [&](std::size_t block, Buffer<Index>& found)
     {
       const std::size_t last = std::min(topology.NumberOfFaces(), (block + 1) * 1024);
@@ -69,7 +70,8 @@ std::size_t PreventFlips(const TriangleMesh& topology, const CompressedRows& sta
           found.push_back(static_cast<Index>(f));
         }
       }
-    });
+    },
+    4);
 
   std::vector<Index> faces(failing.Ids.begin(), failing.Ids.end());
   std::vector<Index> guarded;

@@ -20,7 +20,7 @@ fi
 export SURFACE_DENOISING_BENCHMARK_MESH="$build/fandisk.off"
 
 cmake -G Ninja -S . -B "$build" -DSurfaceDenoising_BUILD_BENCHMARKS=ON \
-  -DSurfaceDenoising_WRAP_PYTHON=OFF -DSurfaceDenoising_WITH_PARAVIEW=OFF "$@" >"$build/run.log"
+  -DSurfaceDenoising_WRAP_PYTHON=OFF "$@" >"$build/run.log"
 cmake --build "$build" >>"$build/run.log"
 
 programs="$build/Testing/Benchmarks"

@@ -13,11 +13,13 @@ import sys
 def main(times_file, memory_file):
     with open(times_file, encoding="utf-8") as file:
         results = json.load(file)["benchmarks"]
-    times = {}
+    times = {}  # the fastest run of each
     for result in results:
-        if not result.get("error_occurred"):
-            name = result["name"].replace("/real_time", "")
-            times[name.split("/iterations")[0]] = result
+        if not result.get("error_occurred") and result["run_type"] == "iteration":
+            name = result["name"].replace("/real_time", "").split("/iterations")[0]
+            name = name.split("/repeats")[0]
+            if name not in times or result["real_time"] < times[name]["real_time"]:
+                times[name] = result
     with open(memory_file, encoding="utf-8") as file:
         memory = [tuple(float(word) for word in line.split()) for line in file]
 
