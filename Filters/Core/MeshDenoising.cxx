@@ -85,6 +85,7 @@ private:
   void CloseSeams();
   void Restore(Buffer<Vec3>& normals);
   void TurnNormals(Buffer<Vec3>& normals) const;
+  double ScaleUnit() const;
   void ChooseScale();
   void BuildGraph();
   bool FilterNormals(Buffer<Vec3>& normals, double first, double last);
@@ -180,11 +181,16 @@ void Denoiser::TurnNormals(Buffer<Vec3>& normals) const
   }
 }
 
+/// Scales of curvatures are given per d.
+double Denoiser::ScaleUnit() const
+{
+  const bool curvature = this->Settings.Argument == NormalArgument::DirectionalCurvature;
+  return curvature && this->Distance > 0.0 ? this->Distance : 1.0;
+}
+
 void Denoiser::ChooseScale()
 {
   const MeshDenoisingSettings& settings = this->Settings;
-  const bool curvature = settings.Argument == NormalArgument::DirectionalCurvature;
-  const double unit = curvature && this->Distance > 0.0 ? this->Distance : 1.0;
   if (settings.NormScale > 0.0)
   {
     this->Report.NormScale = settings.NormScale;
@@ -192,7 +198,7 @@ void Denoiser::ChooseScale()
   }
   Buffer<double> differences = AdjacentDifferences(this->Mesh, this->Stars, this->Geometry,
     settings.Argument, 1e-12 * this->Report.MeanEdgeLength);
-  const double sigma = RobustScale(differences, settings.Estimator) * unit;
+  const double sigma = RobustScale(differences, settings.Estimator) * this->ScaleUnit();
   this->Report.NoNoiseFound = sigma < 1e-6;
   this->Report.NormScale = ScaleForOutlierBoundary(settings.Norm, sigma);
 }
@@ -218,9 +224,7 @@ bool Denoiser::FilterNormals(Buffer<Vec3>& normals, double first, double last)
 {
   const MeshDenoisingSettings& settings = this->Settings;
   NormalFilterSettings filterSettings;
-  const bool curvature = settings.Argument == NormalArgument::DirectionalCurvature;
-  const double unit = curvature && this->Distance > 0.0 ? this->Distance : 1.0;
-  filterSettings.Norm = MakeErrorNorm(settings.Norm, this->Report.NormScale / unit);
+  filterSettings.Norm = MakeErrorNorm(settings.Norm, this->Report.NormScale / this->ScaleUnit());
   filterSettings.Argument = settings.Argument;
   filterSettings.SpatialSigma = settings.SpatialScale * this->Distance;
   filterSettings.AreaWeighted = settings.AreaWeighted;
