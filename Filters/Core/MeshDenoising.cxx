@@ -3,12 +3,7 @@
 
 #include "MeshDenoising.h"
 
-#include "CoincidentVertices.h"
-#include "FaceOrientation.h"
-#include "SpatialOrder.h"
-
 #include <chrono>
-#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -69,9 +64,11 @@ Buffer<double> AdjacentDifferences(const TriangleMesh& mesh, const CompressedRow
 class Denoiser
 {
 public:
-  Denoiser(TriangleMesh& mesh, const MeshDenoisingSettings& settings, MeshDenoisingReport& report,
-    Execution& execution)
-    : Mesh(mesh)
+  Denoiser(PreparedMesh& prepared, const MeshDenoisingSettings& settings,
+    MeshDenoisingReport& report, Execution& execution)
+    : Mesh(prepared.Mesh())
+    , Stars(prepared.Stars())
+    , Edges(prepared.Edges())
     , Settings(settings)
     , Report(report)
     , Exec(execution)
@@ -81,105 +78,22 @@ public:
   bool Run(Buffer<Vec3>& normals);
 
 private:
-  bool Setup();
-  void CloseSeams();
-  void Restore(Buffer<Vec3>& normals);
-  void TurnNormals(Buffer<Vec3>& normals) const;
   double ScaleUnit() const;
   void ChooseScale();
   void BuildGraph();
   bool FilterNormals(Buffer<Vec3>& normals, double first, double last);
 
   TriangleMesh& Mesh;
+  const CompressedRows& Stars;
+  const EdgeCensus& Edges;
   const MeshDenoisingSettings& Settings;
   MeshDenoisingReport& Report;
   Execution& Exec;
 
-  CompressedRows Stars;
-  EdgeCensus Edges;
-  std::vector<CoincidentVertex> Seams;
-  Buffer<unsigned char> Turned;
-  Buffer<Triangle> AsGiven; ///< the triangles of the input, if seams were closed or faces turned
   FaceGeometry Geometry;
   NeighborGraph Graph;
   double Distance = 0.0; ///< d of the present positions
 };
-
-bool Denoiser::Setup()
-{
-  const Stopwatch stopwatch(this->Report.SetupSeconds);
-  this->Stars = VertexStars(this->Mesh);
-  if (!this->Exec.Proceed(0.01))
-  {
-    return false;
-  }
-  this->Edges = TakeEdgeCensus(this->Mesh, this->Stars, this->Exec);
-  if (this->Edges.NumberOfBoundaryEdges > 0)
-  {
-    this->Seams = FindCoincidentVertices(this->Mesh, this->Edges.BoundaryVertex);
-    this->CloseSeams();
-  }
-  if (this->Edges.NumberOfInconsistentEdges > 0)
-  {
-    if (this->AsGiven.empty())
-    {
-      this->AsGiven = this->Mesh.Triangles;
-    }
-    this->Turned = OrientFaces(this->Mesh, this->Stars);
-  }
-  this->Report.MeanEdgeLength = this->Edges.MeanEdgeLength;
-  this->Report.BoundaryEdges = this->Edges.NumberOfBoundaryEdges;
-  this->Report.NonManifoldEdges = this->Edges.NumberOfNonManifoldEdges;
-  this->Report.SeamVertices = this->Seams.size();
-  this->Report.TurnedFaces = static_cast<std::size_t>(
-    std::count(this->Turned.begin(), this->Turned.end(), static_cast<unsigned char>(1)));
-  return this->Exec.Proceed(0.03);
-}
-
-void Denoiser::CloseSeams()
-{
-  if (this->Seams.empty())
-  {
-    return;
-  }
-  this->AsGiven = this->Mesh.Triangles;
-  Buffer<Index> original(this->Mesh.NumberOfVertices());
-  std::iota(original.begin(), original.end(), Index(0));
-  for (const CoincidentVertex& seam : this->Seams)
-  {
-    original[seam.Vertex] = seam.Original;
-  }
-  for (Triangle& t : this->Mesh.Triangles)
-  {
-    t = { original[t[0]], original[t[1]], original[t[2]] };
-  }
-  this->Stars = VertexStars(this->Mesh);
-  this->Edges = TakeEdgeCensus(this->Mesh, this->Stars, this->Exec);
-}
-
-void Denoiser::Restore(Buffer<Vec3>& normals)
-{
-  for (const CoincidentVertex& seam : this->Seams)
-  {
-    this->Mesh.Positions[seam.Vertex] = this->Mesh.Positions[seam.Original];
-  }
-  this->TurnNormals(normals);
-  if (!this->AsGiven.empty())
-  {
-    this->Mesh.Triangles.swap(this->AsGiven);
-  }
-}
-
-void Denoiser::TurnNormals(Buffer<Vec3>& normals) const
-{
-  for (std::size_t f = 0; f < this->Turned.size(); ++f)
-  {
-    if (this->Turned[f])
-    {
-      normals[f] = -normals[f];
-    }
-  }
-}
 
 /// Scales of curvatures are given per d.
 double Denoiser::ScaleUnit() const
@@ -252,17 +166,9 @@ bool Denoiser::FilterNormals(Buffer<Vec3>& normals, double first, double last)
 
 bool Denoiser::Run(Buffer<Vec3>& normals)
 {
-  if (!this->Setup())
-  {
-    return false;
-  }
   const MeshDenoisingSettings& settings = this->Settings;
   const std::size_t faces = this->Mesh.NumberOfFaces();
   bool given = faces > 0 && normals.size() == faces;
-  if (given)
-  {
-    this->TurnNormals(normals);
-  }
 
   VertexUpdateSettings vertexSettings = settings.Vertices;
   vertexSettings.MaximumDisplacement *= this->Report.MeanEdgeLength;
@@ -284,8 +190,6 @@ bool Denoiser::Run(Buffer<Vec3>& normals)
       if (outer == 0)
       {
         this->Report.MeanCentroidDistance = this->Distance;
-        this->Report.DegenerateFaces = static_cast<std::size_t>(
-          std::count(this->Geometry.Areas.begin(), this->Geometry.Areas.end(), 0.0));
         this->ChooseScale();
       }
       if (!given)
@@ -328,8 +232,7 @@ bool Denoiser::Run(Buffer<Vec3>& normals)
     normals.swap(this->Geometry.Normals);
   }
   this->Report.GuardedVertices = update.NumberOfGuardedVertices();
-  this->Restore(normals);
-  return this->Exec.Proceed(1.0);
+  return true;
 }
 
 }
@@ -337,32 +240,26 @@ bool Denoiser::Run(Buffer<Vec3>& normals)
 bool DenoiseMesh(TriangleMesh& mesh, Buffer<Vec3>& normals, const MeshDenoisingSettings& settings,
   MeshDenoisingReport& report, Execution& execution)
 {
-  if (!IsScattered(mesh, execution))
-  {
-    return Denoiser(mesh, settings, report, execution).Run(normals);
-  }
-  SpatialOrder order;
-  TriangleMesh ordered;
-  Buffer<Vec3> orderedNormals;
+  PreparedMesh prepared(mesh);
   {
     const Stopwatch stopwatch(report.SetupSeconds);
-    order = FindSpatialOrder(mesh, execution);
-    ordered = Reorder(mesh, order);
-    if (normals.size() == mesh.NumberOfFaces())
+    if (!prepared.Prepare(execution))
     {
-      orderedNormals = Gather(normals, order.Faces);
+      return false;
+    }
+    static_cast<MeshFacts&>(report) = prepared.Facts();
+    if (!normals.empty())
+    {
+      prepared.Enter(normals);
     }
   }
-  if (!Denoiser(ordered, settings, report, execution).Run(orderedNormals))
+  if (!Denoiser(prepared, settings, report, execution).Run(normals))
   {
     return false;
   }
-  Scatter(ordered.Positions, order.Vertices, mesh.Positions);
-  if (!orderedNormals.empty())
-  {
-    Scatter(orderedNormals, order.Faces, normals);
-  }
-  return true;
+  prepared.Leave(normals);
+  prepared.Finish();
+  return execution.Proceed(1.0);
 }
 
 }

@@ -15,6 +15,7 @@
 #define SurfaceDenoising_MeshDenoising_h
 
 #include "NormalFilter.h"
+#include "PreparedMesh.h"
 #include "RobustScale.h"
 #include "VertexUpdate.h"
 
@@ -60,17 +61,11 @@ struct MeshDenoisingSettings
 };
 
 /// What happened.
-struct MeshDenoisingReport
+struct MeshDenoisingReport : MeshFacts
 {
-  double MeanEdgeLength = 0.0;       ///< l
   double MeanCentroidDistance = 0.0; ///< d
   double NormScale = 0.0;            ///< used, in units of the argument
   bool NoNoiseFound = false; ///< the scale from the data is zero: normals were left as they are
-  std::size_t DegenerateFaces = 0;
-  std::size_t BoundaryEdges = 0;
-  std::size_t NonManifoldEdges = 0;
-  std::size_t SeamVertices = 0;    ///< stored again at the place of another vertex; treated as one
-  std::size_t TurnedFaces = 0;     ///< oriented against their neighbours in the input
   std::size_t UnfilteredFaces = 0; ///< kept their normal in the last normal iteration
   std::size_t GuardedVertices = 0; ///< displacements shortened to prevent flips, in all iterations
   double SetupSeconds = 0.0;

@@ -158,7 +158,6 @@ void ComputeFaceGeometry(const TriangleMesh& mesh, double scale, FaceGeometry& g
   geometry.Normals.resize(faces);
   geometry.Areas.resize(faces);
   geometry.Centroids.resize(faces);
-  const double smallest = 1e-12 * scale * scale;
   execution.For(faces,
     [&](std::size_t begin, std::size_t end)
     {
@@ -166,7 +165,7 @@ void ComputeFaceGeometry(const TriangleMesh& mesh, double scale, FaceGeometry& g
       {
         const Vec3 s = mesh.DoubleAreaVector(f);
         const double length = s.norm();
-        const bool degenerate = !(0.5 * length > smallest);
+        const bool degenerate = IsDegenerate(s, scale);
         geometry.Areas[f] = degenerate ? 0.0 : 0.5 * length;
         geometry.Normals[f] = degenerate ? Vec3(0.0, 0.0, 0.0) : Vec3(s / length);
         geometry.Centroids[f] = mesh.Centroid(f);

@@ -73,6 +73,15 @@ struct EdgeCensus
 EdgeCensus TakeEdgeCensus(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution);
 
+/**
+ * Faces with an area below 1e-12 * scale^2 are degenerate: their normal is rounding error. scale is
+ * the mean edge length.
+ */
+inline bool IsDegenerate(const Vec3& doubleAreaVector, double scale)
+{
+  return !(0.5 * doubleAreaVector.norm() > 1e-12 * scale * scale);
+}
+
 /// Unit normal (zero for a degenerate face), area and centroid of every face.
 struct FaceGeometry
 {
@@ -81,10 +90,7 @@ struct FaceGeometry
   Buffer<Vec3> Centroids;
 };
 
-/**
- * Faces with an area below 1e-12 * scale^2 are degenerate: they get area 0 and normal 0, and so no
- * weight anywhere. scale is the mean edge length.
- */
+/// Degenerate faces get area 0 and normal 0, and so no weight anywhere.
 void ComputeFaceGeometry(const TriangleMesh& mesh, double scale, FaceGeometry& geometry,
   Execution& execution);
 
