@@ -12,7 +12,7 @@
  *
  * with an error norm whose weight function is g, an argument x_ij that says how much the normals
  * differ, a spatial kernel f and face areas A_j, and then moves the points to fit (see
- * vtkMeshDenoisingFilter). A subclass says which, in Configure.
+ * vtkNormalFittingFilter). A subclass says which, in Configure.
  *
  * The two stages can be pipeline steps of their own: switch UpdateVertices off to get the filtered
  * normals as cell array "FilteredNormals" on the input's points, and let vtkNormalVertexUpdate move
@@ -27,12 +27,12 @@
 #ifndef vtkFaceNormalFilter_h
 #define vtkFaceNormalFilter_h
 
-#include "vtkMeshDenoisingFilter.h"
+#include "vtkNormalFittingFilter.h"
 
-class VTKSURFACEDENOISINGMESH_EXPORT vtkFaceNormalFilter : public vtkMeshDenoisingFilter
+class VTKSURFACEDENOISINGMESH_EXPORT vtkFaceNormalFilter : public vtkNormalFittingFilter
 {
 public:
-  vtkTypeMacro(vtkFaceNormalFilter, vtkMeshDenoisingFilter);
+  vtkTypeMacro(vtkFaceNormalFilter, vtkNormalFittingFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Which faces are averaged.

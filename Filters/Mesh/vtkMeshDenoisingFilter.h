@@ -3,27 +3,22 @@
 
 /**
  * @class   vtkMeshDenoisingFilter
- * @brief   base of all filters that fit the points of a surface to filtered face normals
+ * @brief   base of all filters that move the points of a surface to remove noise
  *
- * Two-stage denoising filters the face normals of a surface first and then moves its points until
- * the faces have these normals. Edges survive, because normals on either side of an edge need not
- * be mixed, and the object does not shrink, because points only move as far as the normals ask.
- * This class holds what all such filters share: the second stage, threads, and the report.
- * Subclasses say how the normals are filtered.
+ * This class holds what all such filters share: the way of the surface in and out, threads, and the
+ * report. Subclasses say where the points go.
  *
  * The input may have any polygons and triangle strips. Polygons with more than three points are cut
  * into triangles for the work, and the output has the original cells with their points moved. The
  * input's point, cell and field data pass through, and vertices and lines stay. Active normals stay
  * as arrays but are no longer active, because they describe the surface before the points moved.
- * The output has the filtered normals as the cell array "FilteredNormals" (double, unit length,
- * zero for vertices and lines) and the report as the field array "DenoisingReport".
+ * What was found and done is the field array "DenoisingReport": one tuple with named components.
  *
  * Inputs that are not perfect: faces that run against their neighbours are treated as if they did
  * not; boundary points stored several times at the same place (seams of texture charts, STL files)
- * move as one; faces without area get the normals of their surroundings and give nothing to them;
- * edges with three or more faces connect all of them. Points without polygons never move. A polygon
- * with a NaN or infinite coordinate, or with a point that does not exist, is an error, and the
- * output is empty. A surface without polygons passes through with a warning.
+ * move as one; edges with three or more faces connect all of them. Points without polygons never
+ * move. A polygon with a NaN or infinite coordinate, or with a point that does not exist, is an
+ * error, and the output is empty. A surface without polygons passes through with a warning.
  *
  * Results are the same on any number of threads. Lengths are relative to the model, in mean edge
  * lengths where not said otherwise, so that the same settings serve models of any size.
@@ -37,8 +32,8 @@
 
 namespace SurfaceDenoising
 {
-struct MeshDenoisingReport;
-struct MeshDenoisingSettings;
+struct MeshFacts;
+struct SurfaceWork;
 }
 
 class VTKSURFACEDENOISINGMESH_EXPORT vtkMeshDenoisingFilter : public vtkPolyDataAlgorithm
@@ -46,75 +41,6 @@ class VTKSURFACEDENOISINGMESH_EXPORT vtkMeshDenoisingFilter : public vtkPolyData
 public:
   vtkTypeMacro(vtkMeshDenoisingFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// How points are moved to fit the normals m_f of the faces f with centroids c_f.
-  enum VertexSchemes
-  {
-    /// p += mean_f m_f (m_f . (c_f - p)): X. Sun, P. Rosin, R. Martin, F. Langbein 2007; stable for
-    /// every valence.
-    FACE_MEAN = 0,
-    /// p += 1/6 sum_f m_f (m_f . (c_f - p)): G. Taubin 2001; for meshes with at most 9 faces around
-    /// a point.
-    CONSTANT_STEP = 1,
-    /// As FACE_MEAN with the mean weighted by face areas: H. Yagou, Y. Ohtake, A. Belyaev 2002.
-    AREA_WEIGHTED = 2,
-    /// p -= 0.05 grad sum_f A_f |n_f - m_f|^2: Y. Ohtake, A. Belyaev, I. Bogaevski 2001; also evens
-    /// out triangles.
-    INTEGRAL_FIT = 3
-  };
-
-  /// What the points of open borders do.
-  enum BoundaryHandlings
-  {
-    FIXED = 0, ///< stay
-    SLIDE = 1, ///< move along the border and across the surface, not into it
-    FREE = 2   ///< move as all others; borders may shrink
-  };
-
-  ///@{
-  /**
-   * Number of steps that move the points, per outer iteration. Default 10; 20 to 50 follow the
-   * normals more closely when they changed a lot. 0 leaves the points alone.
-   */
-  vtkSetClampMacro(NumberOfVertexIterations, int, 0, VTK_INT_MAX);
-  vtkGetMacro(NumberOfVertexIterations, int);
-  ///@}
-
-  ///@{
-  /// How points move, one of VertexSchemes. Default FACE_MEAN.
-  vtkSetClampMacro(VertexScheme, int, FACE_MEAN, INTEGRAL_FIT);
-  vtkGetMacro(VertexScheme, int);
-  void SetVertexSchemeToFaceMean() { this->SetVertexScheme(FACE_MEAN); }
-  void SetVertexSchemeToConstantStep() { this->SetVertexScheme(CONSTANT_STEP); }
-  void SetVertexSchemeToAreaWeighted() { this->SetVertexScheme(AREA_WEIGHTED); }
-  void SetVertexSchemeToIntegralFit() { this->SetVertexScheme(INTEGRAL_FIT); }
-  ///@}
-
-  ///@{
-  /// What points on open borders do, one of BoundaryHandlings. Default FIXED.
-  vtkSetClampMacro(BoundaryHandling, int, FIXED, FREE);
-  vtkGetMacro(BoundaryHandling, int);
-  void SetBoundaryHandlingToFixed() { this->SetBoundaryHandling(FIXED); }
-  void SetBoundaryHandlingToSlide() { this->SetBoundaryHandling(SLIDE); }
-  void SetBoundaryHandlingToFree() { this->SetBoundaryHandling(FREE); }
-  ///@}
-
-  ///@{
-  /**
-   * Shorten steps that would turn a face more than 80 degrees away from its filtered normal or let
-   * it collapse, unless the step makes it better. Default on. The published methods do without.
-   */
-  vtkSetMacro(PreventFlips, bool);
-  vtkGetMacro(PreventFlips, bool);
-  vtkBooleanMacro(PreventFlips, bool);
-  ///@}
-
-  ///@{
-  /// How far a point may end up from where it was, in mean edge lengths. Default 0: as far as it
-  /// goes.
-  vtkSetClampMacro(MaximumDisplacement, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumDisplacement, double);
-  ///@}
 
   ///@{
   /**
@@ -127,14 +53,10 @@ public:
 
   ///@{
   /**
-   * What the last execution found and did; lengths in the units of the model. The same figures are
-   * the components of the field array "DenoisingReport".
+   * What the last execution found; lengths in the units of the model. The same figures are
+   * components of the field array "DenoisingReport".
    */
   vtkGetMacro(MeanEdgeLength, double);
-  /// Mean distance between the centroids of faces that share an edge.
-  vtkGetMacro(MeanCentroidDistance, double);
-  /// Points whose step was shortened to prevent flips, summed over the iterations.
-  vtkGetMacro(NumberOfGuardedPoints, vtkIdType);
   /// Triangles without area.
   vtkGetMacro(NumberOfDegenerateFaces, vtkIdType);
   vtkGetMacro(NumberOfBoundaryEdges, vtkIdType);
@@ -151,26 +73,26 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Subclasses complete the settings of the normal stage.
-  virtual void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) = 0;
+  /// How the work of a subclass ended.
+  enum Outcome
+  {
+    FINISHED,
+    STOPPED, ///< on request: the input passes through
+    FAILED   ///< with an error message: the output is empty
+  };
 
-  /// The cell array of normals to start from instead of those of the faces, or null. Sets needed if
-  /// it must be there.
-  virtual vtkDataArray* FindStartNormals(vtkInformationVector** inputVector, bool& needed) = 0;
+  /// Subclasses move the vertices of work.View.Mesh and report. Not called without polygons.
+  virtual Outcome Denoise(SurfaceDenoising::SurfaceWork& work) = 0;
 
-  /// Subclasses that have more to tell take it from here, after an execution.
-  virtual void TakeReport(const SurfaceDenoising::MeshDenoisingReport& report);
+  /// Figures of the last execution become those of a surface nobody has looked at.
+  virtual void ForgetReport();
 
-  int NumberOfVertexIterations = 10;
-  int VertexScheme = FACE_MEAN;
-  int BoundaryHandling = FIXED;
-  bool PreventFlips = true;
-  double MaximumDisplacement = 0.0;
+  /// Keeps the facts and adds them to the figures of the work.
+  void TakeFacts(const SurfaceDenoising::MeshFacts& facts, SurfaceDenoising::SurfaceWork* work);
+
   int NumberOfThreads = 0;
 
   double MeanEdgeLength = 0.0;
-  double MeanCentroidDistance = 0.0;
-  vtkIdType NumberOfGuardedPoints = 0;
   vtkIdType NumberOfDegenerateFaces = 0;
   vtkIdType NumberOfBoundaryEdges = 0;
   vtkIdType NumberOfNonManifoldEdges = 0;
@@ -181,7 +103,7 @@ private:
   vtkMeshDenoisingFilter(const vtkMeshDenoisingFilter&) = delete;
   void operator=(const vtkMeshDenoisingFilter&) = delete;
 
-  bool Denoise(vtkPolyData* input, vtkDataArray* startNormals, vtkPolyData* output);
+  bool Process(vtkInformationVector** inputVector, vtkPolyData* output);
 };
 
 #endif

@@ -11,20 +11,20 @@
  * Lengths of the vectors do not matter, zero vectors are ignored. An array that is missing, has
  * another shape or is not finite is an error.
  *
- * The schemes and options are those of vtkMeshDenoisingFilter. Points move along the given normals;
+ * The schemes and options are those of vtkNormalFittingFilter. Points move along the given normals;
  * in flat regions the triangles keep their shape.
  */
 
 #ifndef vtkNormalVertexUpdate_h
 #define vtkNormalVertexUpdate_h
 
-#include "vtkMeshDenoisingFilter.h"
+#include "vtkNormalFittingFilter.h"
 
-class VTKSURFACEDENOISINGMESH_EXPORT vtkNormalVertexUpdate : public vtkMeshDenoisingFilter
+class VTKSURFACEDENOISINGMESH_EXPORT vtkNormalVertexUpdate : public vtkNormalFittingFilter
 {
 public:
   static vtkNormalVertexUpdate* New();
-  vtkTypeMacro(vtkNormalVertexUpdate, vtkMeshDenoisingFilter);
+  vtkTypeMacro(vtkNormalVertexUpdate, vtkNormalFittingFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkNormalFittingFilter.h"
+
+#include "MeshDenoising.h"
+#include "SurfaceWork.h"
+
+namespace sd = SurfaceDenoising;
+
+static_assert(static_cast<int>(sd::VertexScheme::IntegralFit) ==
+    static_cast<int>(vtkNormalFittingFilter::INTEGRAL_FIT),
+  "The vertex schemes of the filter are those of the core.");
+static_assert(static_cast<int>(sd::BoundaryHandling::Free) ==
+    static_cast<int>(vtkNormalFittingFilter::FREE),
+  "The boundary handlings of the filter are those of the core.");
+
+vtkNormalFittingFilter::vtkNormalFittingFilter() = default;
+vtkNormalFittingFilter::~vtkNormalFittingFilter() = default;
+
+vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork& work)
+{
+  bool needed = false;
+  vtkDataArray* startNormals = this->FindStartNormals(work.InputVector, needed);
+  if (needed && !startNormals)
+  {
+    vtkErrorMacro(<< "The input has no cell array with the normals to start from.");
+    return FAILED;
+  }
+  std::string error;
+  if (startNormals &&
+    !sd::ReadCellVectors(startNormals, work.Input, work.View, work.FaceNormals, error))
+  {
+    vtkErrorMacro(<< error);
+    return FAILED;
+  }
+
+  sd::MeshDenoisingSettings settings;
+  settings.VertexIterations = this->NumberOfVertexIterations;
+  settings.Vertices.Scheme = static_cast<sd::VertexScheme>(this->VertexScheme);
+  settings.Vertices.Boundary = static_cast<sd::BoundaryHandling>(this->BoundaryHandling);
+  settings.Vertices.PreventFlips = this->PreventFlips;
+  settings.Vertices.MaximumDisplacement = this->MaximumDisplacement;
+  this->Configure(settings);
+
+  sd::MeshDenoisingReport report;
+  const bool finished =
+    sd::DenoiseMesh(work.View.Mesh, work.FaceNormals, settings, report, work.Exec);
+  this->TakeFacts(report, &work);
+  this->TakeReport(report);
+  if (!finished)
+  {
+    return STOPPED;
+  }
+  if (report.NoNoiseFound)
+  {
+    vtkWarningMacro(<< "The normals of the surface have no noise to take a scale from; the surface "
+                       "passes through unchanged. Set the scale to filter it all the same.");
+  }
+  work.Add("Mean Centroid Distance", report.MeanCentroidDistance);
+  work.Add("Range Scale", report.NormScale);
+  work.Add("Unfiltered Faces", report.UnfilteredFaces);
+  work.Add("Guarded Points", report.GuardedVertices);
+  work.Add("Seconds Of Setup", report.SetupSeconds);
+  work.Add("Seconds Of Normal Filtering", report.NormalSeconds);
+  work.Add("Seconds Of Vertex Update", report.VertexSeconds);
+  return FINISHED;
+}
+
+void vtkNormalFittingFilter::ForgetReport()
+{
+  this->Superclass::ForgetReport();
+  this->TakeReport(sd::MeshDenoisingReport());
+}
+
+void vtkNormalFittingFilter::TakeReport(const sd::MeshDenoisingReport& report)
+{
+  this->MeanCentroidDistance = report.MeanCentroidDistance;
+  this->NumberOfGuardedPoints = static_cast<vtkIdType>(report.GuardedVertices);
+}
+
+void vtkNormalFittingFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfVertexIterations: " << this->NumberOfVertexIterations << "\n";
+  os << indent << "VertexScheme: " << this->VertexScheme << "\n";
+  os << indent << "BoundaryHandling: " << this->BoundaryHandling << "\n";
+  os << indent << "PreventFlips: " << this->PreventFlips << "\n";
+  os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
+  os << indent << "MeanCentroidDistance: " << this->MeanCentroidDistance << "\n";
+  os << indent << "NumberOfGuardedPoints: " << this->NumberOfGuardedPoints << "\n";
+}
