@@ -8,6 +8,38 @@
 namespace SurfaceDenoising
 {
 
+namespace
+{
+
+struct DistanceSum
+{
+  double Sum = 0.0;
+  std::size_t Count = 0;
+
+  DistanceSum& operator+=(const DistanceSum& other)
+  {
+    this->Sum += other.Sum;
+    this->Count += other.Count;
+    return *this;
+  }
+};
+
+/// From the centroid of a face to those of its edge-adjacent faces.
+DistanceSum AdjacentDistances(const TriangleMesh& mesh, const CompressedRows& stars,
+  const Buffer<Vec3>& centroids, std::size_t f)
+{
+  DistanceSum sum;
+  VisitEdgeAdjacentFaces(mesh, stars, f,
+    [&](Index g)
+    {
+      sum.Sum += (centroids[f] - centroids[g]).norm();
+      ++sum.Count;
+    });
+  return sum;
+}
+
+}
+
 NeighborGraph EdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution)
 {
@@ -80,6 +112,39 @@ NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<V
     });
 }
 
+Buffer<double> SharedEdgeLengths(const TriangleMesh& mesh, const NeighborGraph& graph,
+  Execution& execution)
+{
+  Buffer<double> lengths(graph.NumberOfIds());
+  execution.For(graph.NumberOfRows(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        const Triangle& t = mesh.Triangles[f];
+        for (std::uint64_t p = graph.Offsets[f]; p < graph.Offsets[f + 1]; ++p)
+        {
+          const Triangle& other = mesh.Triangles[graph.Ids[p]];
+          double sum = 0.0;
+          for (int corner = 0; corner < 3; ++corner)
+          {
+            const Index a = t[corner];
+            const Index b = t[(corner + 1) % 3];
+            // A face that repeats a vertex runs along its one edge twice.
+            const bool again = corner > 0 && HasCorner({ t[0], t[1], t[1] }, a) &&
+              HasCorner({ t[0], t[1], t[1] }, b);
+            if (a != b && !again && HasCorner(other, a) && HasCorner(other, b))
+            {
+              sum += (mesh.Positions[a] - mesh.Positions[b]).norm();
+            }
+          }
+          lengths[p] = sum;
+        }
+      }
+    });
+  return lengths;
+}
+
 NeighborGraph NearestPoints(const Buffer<Vec3>& points, std::size_t count, Execution& execution)
 {
   const KdTree tree(points);
@@ -101,39 +166,27 @@ NeighborGraph NearestPoints(const Buffer<Vec3>& points, std::size_t count, Execu
     });
 }
 
-namespace
+Buffer<double> MeanAdjacentDistances(const TriangleMesh& mesh, const CompressedRows& stars,
+  const Buffer<Vec3>& centroids, Execution& execution)
 {
-
-struct DistanceSum
-{
-  double Sum = 0.0;
-  std::size_t Count = 0;
-
-  DistanceSum& operator+=(const DistanceSum& other)
-  {
-    this->Sum += other.Sum;
-    this->Count += other.Count;
-    return *this;
-  }
-};
-
+  Buffer<double> means(mesh.NumberOfFaces());
+  execution.For(means.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        const DistanceSum sum = AdjacentDistances(mesh, stars, centroids, f);
+        means[f] = sum.Count > 0 ? sum.Sum / static_cast<double>(sum.Count) : 0.0;
+      }
+    });
+  return means;
 }
 
 double MeanAdjacentDistance(const TriangleMesh& mesh, const CompressedRows& stars,
   const Buffer<Vec3>& centroids, Execution& execution)
 {
   const DistanceSum total = OrderedSum(execution, mesh.NumberOfFaces(), DistanceSum(),
-    [&](std::size_t f)
-    {
-      DistanceSum sum;
-      VisitEdgeAdjacentFaces(mesh, stars, f,
-        [&](Index g)
-        {
-          sum.Sum += (centroids[f] - centroids[g]).norm();
-          ++sum.Count;
-        });
-      return sum;
-    });
+    [&](std::size_t f) { return AdjacentDistances(mesh, stars, centroids, f); });
   return total.Count > 0 ? total.Sum / static_cast<double>(total.Count) : 0.0;
 }
 

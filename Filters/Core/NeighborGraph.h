@@ -68,11 +68,19 @@ NeighborGraph VertexSharingFaces(const TriangleMesh& mesh, const CompressedRows&
 NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<Vec3>& centroids,
   double radius, Execution& execution);
 
+/// For every entry of a graph of faces, the summed lengths of the edges that both faces have.
+Buffer<double> SharedEdgeLengths(const TriangleMesh& mesh, const NeighborGraph& graph,
+  Execution& execution);
+
 /**
  * The count nearest other points of every point, nearest first; fewer if there are not as many
  * points. Points at the same place are neighbours like any others.
  */
 NeighborGraph NearestPoints(const Buffer<Vec3>& points, std::size_t count, Execution& execution);
+
+/// For every face, the mean distance to the centroids of its edge-adjacent faces; 0 if it has none.
+Buffer<double> MeanAdjacentDistances(const TriangleMesh& mesh, const CompressedRows& stars,
+  const Buffer<Vec3>& centroids, Execution& execution);
 
 /// Mean distance between the centroids of edge-adjacent faces; 0 if there are none.
 double MeanAdjacentDistance(const TriangleMesh& mesh, const CompressedRows& stars,

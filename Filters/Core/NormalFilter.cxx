@@ -18,50 +18,30 @@ constexpr std::size_t Lanes = 8;
 constexpr std::size_t RoundUp(std::size_t count) { return (count + Lanes - 1) / Lanes * Lanes; }
 
 /// Entries handled together: their weights stay in the first-level cache between the stages.
-constexpr std::size_t BlockEntries = 512;
+constexpr std::size_t EntriesPerBlock = 512;
 
-/// Sums of weights below this are none: their squares would lose digits, and normals their length.
-constexpr double NoWeight = 1e-140;
-
-/// Rows [First, Last) of the graph; their entries begin at Entry in the arrays of fixed values.
-struct Block
+/// Rows [First, Last) of a graph, each with an entry for the site itself in front if Own.
+struct Rows
 {
+  const CompressedRows& Graph;
+  bool Own;
   std::size_t First;
   std::size_t Last;
-  std::size_t Entry;
-  std::size_t Count;
 };
-
-/// Calls use(block) for rows [begin, end), cut into blocks of at most capacity entries.
-template <typename Use>
-void ForBlocks(const CompressedRows& graph, bool own, std::size_t capacity, std::size_t begin,
-  std::size_t end, Use use)
-{
-  auto entryOf = [&graph, own](std::size_t i) { return graph.Offsets[i] + (own ? i : 0); };
-  for (std::size_t first = begin; first < end;)
-  {
-    std::size_t last = first + 1;
-    while (last < end && entryOf(last + 1) - entryOf(first) <= capacity)
-    {
-      ++last;
-    }
-    use(Block{ first, last, entryOf(first), entryOf(last) - entryOf(first) });
-    first = last;
-  }
-}
 
 /**
  * Stage 1: |centre_i - compared_j|^2 for the entries of a block. If the vectors are normals, a zero
  * centre is no normal and differs from nothing.
  */
 template <bool AreNormals>
-SURFACEDENOISING_VECTORIZED void SquaredDistances(const CompressedRows& graph, bool own,
-  const Block& block, const Vec3* centre, const Vec3* compared, double* squares)
+SURFACEDENOISING_VECTORIZED void SquaredDistances(const Rows& rows, const Vec3* centre,
+  const Vec3* compared, double* squares)
 {
-  const std::uint64_t* offsets = graph.Offsets.data();
-  const Index* ids = graph.Ids.data();
+  const std::uint64_t* offsets = rows.Graph.Offsets.data();
+  const Index* ids = rows.Graph.Ids.data();
+  const bool own = rows.Own;
   std::size_t k = 0;
-  for (std::size_t i = block.First; i < block.Last; ++i)
+  for (std::size_t i = rows.First; i < rows.Last; ++i)
   {
     const double cx = centre[i][0];
     const double cy = centre[i][1];
@@ -90,14 +70,32 @@ SURFACEDENOISING_VECTORIZED void SquaredDistances(const CompressedRows& graph, b
   }
 }
 
-/// Stage 2, if angles are compared: the angle between unit vectors from the square of their chord.
-void ChordsToAngles(double* squares, std::size_t count)
+/// Stage 2, if angles are compared: from the square of a chord to that of the angle.
+SURFACEDENOISING_VECTORIZED void ChordsToAngles(double* squares, std::size_t count)
 {
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0, end = RoundUp(count); k < end; ++k)
   {
-    const double angle =
-      2.0 * std::atan2(std::sqrt(squares[k]), std::sqrt(std::max(0.0, 4.0 - squares[k])));
+    const double angle = AngleOfSquaredChord(squares[k]);
     squares[k] = angle * angle;
+  }
+}
+
+/// Instead of stages 1 to 3, if x belongs to the sites: weights from g of both sites.
+void WeighBySites(const Rows& rows, const double* factors, const double* fixed, double* weights)
+{
+  std::size_t k = 0;
+  for (std::size_t i = rows.First; i < rows.Last; ++i)
+  {
+    if (rows.Own)
+    {
+      weights[k] = factors[i] * fixed[k];
+      ++k;
+    }
+    for (const Index j : rows.Graph.Row(i))
+    {
+      weights[k] = 0.5 * (factors[i] + factors[j]) * fixed[k];
+      ++k;
+    }
   }
 }
 
@@ -140,17 +138,18 @@ SURFACEDENOISING_VECTORIZED void Weigh(const Norm norm, const double* fixed, dou
   }
 }
 
-/// Stage 4: weighted sums of the data, normalised. Returns the number of sites that kept their
-/// normal.
+/// Stage 4, average: weighted sums of the data, normalised. Returns the number of sites that kept
+/// their normal.
 SURFACEDENOISING_VECTORIZED
-std::size_t WeightedMeans(const CompressedRows& graph, bool own, const Block& block,
-  const double* weights, const Vec3* data, const Vec3* current, Vec3* filtered)
+std::size_t Average(const Rows& rows, const double* weights, const Vec3* data, const Vec3* current,
+  Vec3* filtered)
 {
-  const std::uint64_t* offsets = graph.Offsets.data();
-  const Index* ids = graph.Ids.data();
+  const std::uint64_t* offsets = rows.Graph.Offsets.data();
+  const Index* ids = rows.Graph.Ids.data();
+  const bool own = rows.Own;
   std::size_t kept = 0;
   std::size_t k = 0;
-  for (std::size_t i = block.First; i < block.Last; ++i)
+  for (std::size_t i = rows.First; i < rows.Last; ++i)
   {
     double x = 0.0;
     double y = 0.0;
@@ -173,7 +172,7 @@ std::size_t WeightedMeans(const CompressedRows& graph, bool own, const Block& bl
       add(data[ids[p]]);
     }
     const double length = std::sqrt(x * x + y * y + z * z);
-    if (length > std::max(1e-12 * total, NoWeight))
+    if (length > std::max(1e-12 * total, NormalFilter::NoWeight))
     {
       const double scale = 1.0 / length;
       filtered[i] = Vec3(x * scale, y * scale, z * scale);
@@ -182,6 +181,51 @@ std::size_t WeightedMeans(const CompressedRows& graph, bool own, const Block& bl
     {
       filtered[i] = current[i];
       ++kept;
+    }
+  }
+  return kept;
+}
+
+/// Stage 4, diffusion: a step along the weighted sum of differences.
+std::size_t Diffuse(const Rows& rows, const NormalFilterSettings& settings, const double* weights,
+  const double* fixed, const Vec3* data, const Vec3* current, Vec3* filtered)
+{
+  std::size_t kept = 0;
+  std::size_t k = 0;
+  for (std::size_t i = rows.First; i < rows.Last; ++i)
+  {
+    const Vec3 n = current[i];
+    Vec3 flux(0.0, 0.0, 0.0);
+    double capacity = 0.0;
+    auto add = [&](const Vec3& other)
+    {
+      flux += weights[k] * (other - n);
+      capacity += fixed[k];
+      ++k;
+    };
+    if (rows.Own)
+    {
+      add(data[i]);
+    }
+    for (const Index j : rows.Graph.Row(i))
+    {
+      add(data[j]);
+    }
+    filtered[i] = n;
+    ++kept;
+    if (capacity > NormalFilter::NoWeight)
+    {
+      if (settings.TangentialFlux)
+      {
+        flux -= flux.dot(n) * n;
+      }
+      const Vec3 moved = n + (settings.StepLength / capacity) * flux;
+      const double length = moved.norm();
+      if (length > 1e-12)
+      {
+        filtered[i] = moved / length;
+        --kept;
+      }
     }
   }
   return kept;
@@ -198,23 +242,36 @@ NormalFilter::NormalFilter(const NeighborGraph& graph, const NormalFilterSetting
   {
     longest = std::max(longest, graph.Row(i).size());
   }
-  this->Capacity = std::max(BlockEntries, RoundUp(longest + 1));
+  this->BlockEntries = std::max(EntriesPerBlock, longest + 1);
+  this->Capacity = RoundUp(this->BlockEntries);
 }
 
-void NormalFilter::SetGeometry(const Buffer<Vec3>& positions, const Buffer<double>& areas,
-  double shortest, Execution& execution)
+void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& execution)
 {
   const NormalFilterSettings& settings = this->Settings;
   const std::size_t rows = this->Graph.NumberOfRows();
-  const std::size_t own = settings.IncludeOwn ? 1 : 0;
-  const bool curvature = settings.Argument == NormalArgument::DirectionalCurvature;
-  const std::size_t entries = this->Graph.NumberOfIds() + own * rows;
+  const bool own = settings.IncludeOwn;
+  const bool curvature = settings.Argument == NormalArgument::DirectionalCurvature ||
+    settings.Argument == NormalArgument::NormalGradient;
+  const bool spatial = settings.SpatialSigma > 0.0 || geometry.SpatialSigmas;
+  const bool coupled = settings.Weighting == SiteWeight::Coupling;
+  const Buffer<double>& areas = geometry.Areas;
+  const std::size_t entries = this->EntryOf(rows);
   this->FixedWeights.resize(entries + Lanes);
   this->InverseSquaredDistances.resize(curvature ? entries : 0);
   std::fill(this->FixedWeights.begin() + entries, this->FixedWeights.end(), 0.0);
+  if (settings.Argument == NormalArgument::SiteCurvature)
+  {
+    const Buffer<double>& curvatures = *geometry.Curvatures;
+    this->SiteFactors.resize(rows);
+    for (std::size_t i = 0; i < rows; ++i)
+    {
+      this->SiteFactors[i] = Weight(settings.Norm, curvatures[i]);
+    }
+  }
 
   auto weightOf = [&](std::size_t j)
-  { return settings.AreaWeighted ? areas[j] : (areas[j] > 0.0 ? 1.0 : 0.0); };
+  { return settings.Weighting == SiteWeight::Area ? areas[j] : (areas[j] > 0.0 ? 1.0 : 0.0); };
   execution.For(rows,
     [&](std::size_t begin, std::size_t end)
     {
@@ -227,64 +284,87 @@ void NormalFilter::SetGeometry(const Buffer<Vec3>& positions, const Buffer<doubl
         {
           if (own)
           {
-            fixed[k++] = weightOf(i);
+            fixed[k++] = coupled ? 0.0 : weightOf(i);
           }
-          for (const Index j : this->Graph.Row(i))
+          for (std::uint64_t p = this->Graph.Offsets[i]; p < this->Graph.Offsets[i + 1]; ++p)
           {
-            fixed[k++] = weightOf(j);
+            const double weight = weightOf(this->Graph.Ids[p]);
+            fixed[k++] = coupled ? weight * (*geometry.Couplings)[p] : weight;
           }
         }
-        if (settings.SpatialSigma > 0.0 || curvature)
+        if (spatial || curvature)
         {
-          SquaredDistances<false>(this->Graph, own, block, positions.data(), positions.data(),
-            squares.data());
+          SquaredDistances<false>({ this->Graph, own, block.First, block.Last },
+            geometry.Positions.data(), geometry.Positions.data(), squares.data());
         }
         if (curvature)
         {
-          InvertSquares(squares.data(), block.Count, shortest * shortest,
+          InvertSquares(squares.data(), block.Count, geometry.Shortest * geometry.Shortest,
             this->InverseSquaredDistances.data() + block.Entry);
         }
-        if (settings.SpatialSigma > 0.0)
+        if (geometry.SpatialSigmas)
+        {
+          for (std::size_t i = block.First; i < block.Last; ++i)
+          {
+            const std::size_t first = this->EntryOf(i) - block.Entry;
+            Attenuate(GaussianNorm{ (*geometry.SpatialSigmas)[i] }, squares.data() + first,
+              this->EntryOf(i + 1) - this->EntryOf(i), fixed + first);
+          }
+        }
+        else if (spatial)
         {
           Attenuate(GaussianNorm{ settings.SpatialSigma }, squares.data(), block.Count, fixed);
         }
       };
-      ForBlocks(this->Graph, own, this->Capacity, begin, end, fix);
+      this->ForBlocks(begin, end, fix);
     });
+}
+
+void NormalFilter::ComputeWeights(const Block& block, const Fields& fields, double* weights) const
+{
+  const Rows rows{ this->Graph, this->Settings.IncludeOwn, block.First, block.Last };
+  const double* fixed = this->FixedWeights.data() + block.Entry;
+  const NormalArgument argument = this->Settings.Argument;
+  if (argument == NormalArgument::SiteCurvature)
+  {
+    WeighBySites(rows, this->SiteFactors.data(), fixed, weights);
+    return;
+  }
+  SquaredDistances<true>(rows, fields.Centre.data(), fields.Compared.data(), weights);
+  if (argument == NormalArgument::Angle || argument == NormalArgument::DirectionalCurvature)
+  {
+    ChordsToAngles(weights, block.Count);
+  }
+  if (IsCurvature(argument))
+  {
+    Multiply(this->InverseSquaredDistances.data() + block.Entry, block.Count, weights);
+  }
+  std::visit(
+    [&](const auto& norm) { Weigh(norm, fixed, weights, block.Count); }, this->Settings.Norm);
 }
 
 std::size_t NormalFilter::Sweep(const Fields& fields, Buffer<Vec3>& filtered,
   Execution& execution) const
 {
-  const std::size_t rows = this->Graph.NumberOfRows();
-  const bool own = this->Settings.IncludeOwn;
-  const NormalArgument argument = this->Settings.Argument;
-  filtered.resize(rows);
+  filtered.resize(this->Graph.NumberOfRows());
   std::atomic<std::size_t> kept{ 0 };
-  execution.For(rows,
+  execution.For(this->Graph.NumberOfRows(),
     [&](std::size_t begin, std::size_t end)
     {
       Buffer<double> weights(this->Capacity);
       std::size_t keptHere = 0;
-      auto filter = [&](const Block& block)
-      {
-        SquaredDistances<true>(this->Graph, own, block, fields.Centre.data(),
-          fields.Compared.data(), weights.data());
-        if (argument != NormalArgument::Chord)
+      this->ForBlocks(begin, end,
+        [&](const Block& block)
         {
-          ChordsToAngles(weights.data(), block.Count);
-        }
-        if (argument == NormalArgument::DirectionalCurvature)
-        {
-          Multiply(this->InverseSquaredDistances.data() + block.Entry, block.Count, weights.data());
-        }
-        std::visit([&](const auto& norm)
-          { Weigh(norm, this->FixedWeights.data() + block.Entry, weights.data(), block.Count); },
-          this->Settings.Norm);
-        keptHere += WeightedMeans(this->Graph, own, block, weights.data(), fields.Data.data(),
-          fields.Current.data(), filtered.data());
-      };
-      ForBlocks(this->Graph, own, this->Capacity, begin, end, filter);
+          this->ComputeWeights(block, fields, weights.data());
+          const Rows rows{ this->Graph, this->Settings.IncludeOwn, block.First, block.Last };
+          keptHere += this->Settings.Step == NormalStep::Average
+            ? Average(rows, weights.data(), fields.Data.data(), fields.Current.data(),
+                filtered.data())
+            : Diffuse(rows, this->Settings, weights.data(),
+                this->FixedWeights.data() + block.Entry, fields.Data.data(), fields.Current.data(),
+                filtered.data());
+        });
       kept += keptHere;
     });
   return kept;

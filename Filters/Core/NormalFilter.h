@@ -5,17 +5,23 @@
  * @file NormalFilter.h
  * @brief The engine: robust weighted means of normals over a neighbourhood graph.
  *
- * One sweep gives every site i, face or point,
+ * Site i, a face or a point, gives its neighbours j, and itself if it counts among them, the
+ * weights
  *
- *   n_i' = normalise( sum_j  a_j f(|c_i - c_j|) g(x_ij) n_j )
+ *   w_ij = a_j f(|c_i - c_j|) g(x_ij).
  *
- * over its neighbours j, and over itself if it counts among them. g is the weight function of an
- * error norm, x_ij measures how much the normals differ, f is the spatial kernel, a_j an area. All
- * methods are settings of this sum.
+ * g is the weight function of an error norm, x_ij measures how much the normals differ, f is the
+ * spatial kernel, a_j an area or another fixed factor. A sweep turns the weights into new normals,
  *
- * The part a_j f(|c_i - c_j|) stays the same while only normals change. It is computed once, so
- * that a sweep streams through two flat arrays. A sweep reads one field and writes another
- * (Jacobi): the result depends neither on the order of sites nor on the number of threads.
+ *   average    n_i' = normalise( sum_j w_ij n_j )
+ *   diffusion  n_i' = normalise( n_i + s / F_i  sum_j w_ij (n_j - n_i) ),   F_i = sum_j a_j f_ij
+ *
+ * and all methods are settings of it. Those that make something else of the weights visit them row
+ * by row.
+ *
+ * The part a_j f stays the same while only normals change. It is computed once, so that a sweep
+ * streams through two flat arrays. A sweep reads one field and writes another (Jacobi): the result
+ * depends neither on the order of sites nor on the number of threads.
  */
 
 #ifndef SurfaceDenoising_NormalFilter_h
@@ -30,9 +36,32 @@ namespace SurfaceDenoising
 /// x_ij, what an error norm is applied to.
 enum class NormalArgument : int
 {
-  Chord,               ///< |n_i - n_j|, in [0, 2]
-  Angle,               ///< angle between n_i and n_j in radians, in [0, pi]
-  DirectionalCurvature ///< angle / |c_i - c_j|, in radians per length
+  Chord,                ///< |n_i - n_j|, in [0, 2]
+  Angle,                ///< angle between n_i and n_j in radians, in [0, pi]
+  DirectionalCurvature, ///< angle / |c_i - c_j|, in radians per length
+  NormalGradient,       ///< |n_i - n_j| / |c_i - c_j|, per length
+  SiteCurvature ///< x belongs to a site, not to a pair: the weight is (g(x_i) + g(x_j)) / 2
+};
+
+/// True if the argument has the unit of a curvature, 1 / length.
+constexpr bool IsCurvature(NormalArgument argument)
+{
+  return argument != NormalArgument::Chord && argument != NormalArgument::Angle;
+}
+
+/// a_j, the fixed weight of a neighbour.
+enum class SiteWeight : int
+{
+  Uniform, ///< 1
+  Area,    ///< the area of site j
+  Coupling ///< c_ij = length of the wall between the sites / |c_i - c_j|: finite volumes
+};
+
+/// How weights become new normals.
+enum class NormalStep : int
+{
+  Average,
+  Diffusion
 };
 
 struct NormalFilterSettings
@@ -40,8 +69,23 @@ struct NormalFilterSettings
   ErrorNorm Norm = GaussianNorm{ 0.35 };
   NormalArgument Argument = NormalArgument::Chord;
   double SpatialSigma = 0.0; ///< f(d) = exp(-d^2 / (2 SpatialSigma^2)), a length; 0: f = 1
-  bool AreaWeighted = true;  ///< a_j is the area of site j; otherwise 1
-  bool IncludeOwn = false;   ///< site i is one of its own neighbours
+  SiteWeight Weighting = SiteWeight::Area;
+  bool IncludeOwn = false; ///< site i is one of its own neighbours
+  NormalStep Step = NormalStep::Average;
+  double StepLength = 0.5;     ///< s of the diffusion, stable in [0, 1]
+  bool TangentialFlux = false; ///< diffusion: only the part of the sum across n_i counts
+};
+
+/// Where sites are and how large they are.
+struct SiteGeometry
+{
+  const Buffer<Vec3>& Positions;
+  const Buffer<double>& Areas; ///< 0: degenerate, no weight whatever the weighting
+  double Shortest;             ///< divisors are at least that; a length
+
+  const Buffer<double>* SpatialSigmas = nullptr; ///< per site, instead of SpatialSigma
+  const Buffer<double>* Couplings = nullptr;     ///< per entry of the graph, for Coupling
+  const Buffer<double>* Curvatures = nullptr;    ///< per site, for SiteCurvature
 };
 
 class NormalFilter
@@ -50,13 +94,8 @@ public:
   /// The graph must outlive the filter.
   NormalFilter(const NeighborGraph& graph, const NormalFilterSettings& settings);
 
-  /**
-   * Where the sites are and how large they are; call it again when they moved. Sites with area 0
-   * are degenerate: they get no weight, whether weights use areas or not. Distances are at least
-   * shortest when a curvature divides by them.
-   */
-  void SetGeometry(const Buffer<Vec3>& positions, const Buffer<double>& areas, double shortest,
-    Execution& execution);
+  /// To be called before sweeps, and again when sites moved.
+  void SetGeometry(const SiteGeometry& geometry, Execution& execution);
 
   /// The fields of normals that a sweep reads.
   struct Fields
@@ -81,15 +120,79 @@ public:
     return this->Sweep({ current, current, current, current }, filtered, execution);
   }
 
+  /**
+   * Calls use(i, weights) for every site, on several threads at a time: the weight of the site
+   * itself first, if it is included, then those of its row in the graph.
+   */
+  template <typename Use>
+  void VisitWeights(const Fields& fields, Execution& execution, Use use) const
+  {
+    execution.For(this->Graph.NumberOfRows(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        Buffer<double> weights(this->Capacity);
+        this->ForBlocks(begin, end,
+          [&](const Block& block)
+          {
+            this->ComputeWeights(block, fields, weights.data());
+            for (std::size_t i = block.First; i < block.Last; ++i)
+            {
+              use(i, weights.data() + (this->EntryOf(i) - block.Entry));
+            }
+          });
+      });
+  }
+
+  const NeighborGraph& Neighbors() const { return this->Graph; }
+  bool IncludesOwn() const { return this->Settings.IncludeOwn; }
+
+  /// Sums of weights below this are none: their squares would lose digits, and normals their
+  /// length.
+  static constexpr double NoWeight = 1e-140;
+
 private:
+  /// Rows [First, Last) of the graph; their entries begin at Entry in the arrays of fixed values.
+  struct Block
+  {
+    std::size_t First;
+    std::size_t Last;
+    std::size_t Entry;
+    std::size_t Count;
+  };
+
+  /// Entries of row i, first the site itself if it is included, begin here.
+  std::size_t EntryOf(std::size_t i) const
+  {
+    return this->Graph.Offsets[i] + (this->Settings.IncludeOwn ? i : 0);
+  }
+
+  /// Calls use(block) for rows [begin, end), cut into blocks that fit the capacity.
+  template <typename Use>
+  void ForBlocks(std::size_t begin, std::size_t end, Use use) const
+  {
+    for (std::size_t first = begin; first < end;)
+    {
+      const std::size_t entry = this->EntryOf(first);
+      std::size_t last = first + 1;
+      while (last < end && this->EntryOf(last + 1) - entry <= this->BlockEntries)
+      {
+        ++last;
+      }
+      use(Block{ first, last, entry, this->EntryOf(last) - entry });
+      first = last;
+    }
+  }
+
+  void ComputeWeights(const Block& block, const Fields& fields, double* weights) const;
+
   const NeighborGraph& Graph;
   NormalFilterSettings Settings;
-  std::size_t Capacity = 0; ///< entries of a block: some hundred, or those of the longest row
+  std::size_t BlockEntries = 0; ///< entries of a block: some hundred, or those of the longest row
+  std::size_t Capacity = 0;     ///< room for a block and what vectors read beyond it
 
-  /// Entries of row i, first the site itself if it is included, begin at Offsets[i] + i *
-  /// IncludeOwn.
-  Buffer<double> FixedWeights;
-  Buffer<double> InverseSquaredDistances; ///< for directional curvature only
+  Buffer<double> FixedWeights;            ///< a_j f
+  Buffer<double> InverseSquaredDistances; ///< for curvatures along the line between two sites
+  Buffer<double> SiteFactors;             ///< g(x_i), for SiteCurvature
 };
 
 }

@@ -10,6 +10,8 @@
 #ifndef SurfaceDenoising_Vectorize_h
 #define SurfaceDenoising_Vectorize_h
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -64,6 +66,35 @@ inline double ExpOfNegative(double x)
   double power;
   std::memcpy(&power, &bits, sizeof(power));
   return series * power;
+}
+
+/**
+ * The angle between two unit vectors in radians, in [0, pi], from the square of their chord: 2
+ * asin(chord / 2), with an absolute error below 1e-15, in a form that compilers vectorise.
+ */
+inline double AngleOfSquaredChord(double squaredChord)
+{
+  const double half = 0.5 * std::sqrt(std::min(squaredChord, 4.0));
+  // asin(t) = pi / 2 - 2 asin(sqrt((1 - t) / 2)) brings arguments down to 1/2, where a polynomial
+  // in t^2, the Chebyshev interpolant of asin(t) / t, does the rest.
+  const bool steep = half > 0.5;
+  const double t = steep ? std::sqrt(0.5 * (1.0 - half)) : half;
+  const double z = t * t;
+  double series = 0.03257934796692842;
+  series = series * z - 0.02093065831518245;
+  series = series * z + 0.02166805886905636;
+  series = series * z + 0.0037180577483250537;
+  series = series * z + 0.010778675120995992;
+  series = series * z + 0.011398850408440755;
+  series = series * z + 0.01398088299217101;
+  series = series * z + 0.017351600625343435;
+  series = series * z + 0.022372216106072148;
+  series = series * z + 0.030381942642327187;
+  series = series * z + 0.04464285717686322;
+  series = series * z + 0.07499999999966611;
+  series = series * z + 0.16666666666666796;
+  const double angle = 2.0 * (t + t * z * series);
+  return steep ? 3.14159265358979323846 - 2.0 * angle : angle;
 }
 
 }

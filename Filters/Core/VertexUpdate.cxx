@@ -17,13 +17,15 @@ VertexUpdate::VertexUpdate(const TriangleMesh& topology, const CompressedRows& s
   , Boundary(boundary)
   , Scale(scale)
   , Settings(settings)
+  , Relaxation(settings.Relaxation)
 {
 }
 
 bool VertexUpdate::Run(Buffer<Vec3>& positions, const Buffer<Vec3>& targets, int count,
   Execution& execution, double first, double last)
 {
-  if (this->Settings.MaximumDisplacement > 0.0 && this->Start.empty())
+  const bool pull = this->Settings.InputPull > 0.0 && count > 0;
+  if ((this->Settings.MaximumDisplacement > 0.0 || pull) && this->Start.empty())
   {
     this->Start = positions;
   }
@@ -36,6 +38,11 @@ bool VertexUpdate::Run(Buffer<Vec3>& positions, const Buffer<Vec3>& targets, int
     }
     this->Step(positions, targets, moved, execution);
     positions.swap(moved);
+    this->Relaxation *= 0.7;
+  }
+  if (pull)
+  {
+    this->PullBack(positions, targets, execution);
   }
   return true;
 }
@@ -74,8 +81,12 @@ void VertexUpdate::OrthogonalityStep(const Buffer<Vec3>& positions, const Buffer
   const bool weighted = this->Settings.Scheme == VertexScheme::AreaWeighted;
   const bool constantStep = this->Settings.Scheme == VertexScheme::ConstantStep;
   const bool fixBoundary = this->Settings.Boundary == BoundaryHandling::Fixed;
+  const bool relax = this->Settings.Scheme == VertexScheme::EdgeWeighted;
   this->FaceOffset.resize(targets.size());
-  this->FaceArea.resize(weighted ? targets.size() : 0);
+  if (weighted || relax)
+  {
+    this->ComputeAreas(positions, execution);
+  }
   execution.For(targets.size(),
     [&](std::size_t begin, std::size_t end)
     {
@@ -86,10 +97,6 @@ void VertexUpdate::OrthogonalityStep(const Buffer<Vec3>& positions, const Buffer
         const Vec3& b = positions[t[1]];
         const Vec3& c = positions[t[2]];
         this->FaceOffset[f] = targets[f].dot(a + b + c) / 3.0;
-        if (weighted)
-        {
-          this->FaceArea[f] = 0.5 * (b - a).cross(c - a).norm();
-        }
       }
     });
 
@@ -118,6 +125,83 @@ void VertexUpdate::OrthogonalityStep(const Buffer<Vec3>& positions, const Buffer
         {
           moved[v] = p + sum / (constantStep ? 6.0 : total);
         }
+        if (relax && !this->Boundary[v])
+        {
+          moved[v] += this->Relaxation * this->Relaxed(v, positions, targets);
+        }
+      }
+    });
+}
+
+void VertexUpdate::ComputeAreas(const Buffer<Vec3>& positions, Execution& execution)
+{
+  this->FaceArea.resize(this->Topology.NumberOfFaces());
+  execution.For(this->FaceArea.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        const Triangle& t = this->Topology.Triangles[f];
+        const Vec3& a = positions[t[0]];
+        this->FaceArea[f] = 0.5 * (positions[t[1]] - a).cross(positions[t[2]] - a).norm();
+      }
+    });
+}
+
+/// The direction of sum_f A_f m_f at a vertex, or zero.
+Vec3 VertexUpdate::MeanTarget(std::size_t vertex, const Buffer<Vec3>& targets) const
+{
+  Vec3 sum(0.0, 0.0, 0.0);
+  for (const Index f : this->Stars.Row(vertex))
+  {
+    sum += this->FaceArea[f] * targets[f];
+  }
+  const double length = sum.norm();
+  return length > 0.0 ? Vec3(sum / length) : sum;
+}
+
+/// D + D_t. The faces of a vertex name each vertex of the ring twice, which a mean does not notice.
+Vec3 VertexUpdate::Relaxed(std::size_t vertex, const Buffer<Vec3>& positions,
+  const Buffer<Vec3>& targets) const
+{
+  const Vec3& p = positions[vertex];
+  Vec3 sum(0.0, 0.0, 0.0);
+  double total = 0.0;
+  for (const Index f : this->Stars.Row(vertex))
+  {
+    for (const Index q : this->Topology.Triangles[f])
+    {
+      const Vec3 edge = positions[q] - p;
+      const double length = edge.norm();
+      sum += length * edge;
+      total += length;
+    }
+  }
+  if (!(total > 0.0))
+  {
+    return Vec3(0.0, 0.0, 0.0);
+  }
+  const Vec3 difference = sum / total;
+  const Vec3 normal = this->MeanTarget(vertex, targets);
+  return 2.0 * difference - difference.dot(normal) * normal;
+}
+
+void VertexUpdate::PullBack(Buffer<Vec3>& positions, const Buffer<Vec3>& targets,
+  Execution& execution)
+{
+  this->ComputeAreas(positions, execution);
+  const bool fixBoundary = this->Settings.Boundary == BoundaryHandling::Fixed;
+  execution.For(positions.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        if (!(fixBoundary && this->Boundary[v]))
+        {
+          const Vec3 normal = this->MeanTarget(v, targets);
+          const double way = (this->Start[v] - positions[v]).dot(normal);
+          positions[v] += this->Settings.InputPull * way * normal;
+        }
       }
     });
 }
@@ -126,7 +210,6 @@ void VertexUpdate::IntegralFitStep(const Buffer<Vec3>& positions, const Buffer<V
   Buffer<Vec3>& moved, Execution& execution)
 {
   constexpr double step = 0.05; // stable below 0.19 on equilateral meshes
-  const double smallest = 1e-12 * this->Scale * this->Scale; // below it a normal is rounding error
   const bool fixBoundary = this->Settings.Boundary == BoundaryHandling::Fixed;
   this->FaceMisfit.resize(targets.size());
   execution.For(targets.size(),
@@ -138,7 +221,7 @@ void VertexUpdate::IntegralFitStep(const Buffer<Vec3>& positions, const Buffer<V
         const Vec3& a = positions[t[0]];
         const Vec3 s = (positions[t[1]] - a).cross(positions[t[2]] - a);
         const double length = s.norm();
-        const bool ignore = targets[f].squaredNorm() == 0.0 || !(0.5 * length > smallest);
+        const bool ignore = targets[f].squaredNorm() == 0.0 || IsDegenerate(s, this->Scale);
         this->FaceMisfit[f] = ignore ? Vec3(0.0, 0.0, 0.0) : Vec3(s / length - targets[f]);
       }
     });

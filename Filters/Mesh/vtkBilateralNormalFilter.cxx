@@ -19,7 +19,6 @@ void vtkBilateralNormalFilter::Configure(SurfaceDenoising::MeshDenoisingSettings
   settings.NormScale = this->RangeScale;
   settings.Argument = SurfaceDenoising::NormalArgument::Chord;
   settings.SpatialScale = this->SpatialScale;
-  settings.AreaWeighted = true;
   settings.IncludeOwn = false;
   settings.Neighborhood = static_cast<SurfaceDenoising::FaceNeighborhood>(this->Neighborhood);
 }

@@ -67,7 +67,7 @@ void vtkRobustNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
       settings.NormScale = this->RangeScale * this->ArgumentUnit();
   }
   settings.SpatialScale = this->SpatialScale;
-  settings.AreaWeighted = this->AreaWeighting;
+  settings.Weighting = this->AreaWeighting ? sd::SiteWeight::Area : sd::SiteWeight::Uniform;
   settings.IncludeOwn = this->IncludeOwn;
   settings.Neighborhood = static_cast<sd::FaceNeighborhood>(this->Neighborhood);
   settings.Radius = this->Radius;

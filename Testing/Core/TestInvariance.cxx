@@ -56,7 +56,7 @@ std::vector<MeshDenoisingSettings> Variety()
   all[3].Norm = NormId::Lorentzian;
   all[3].NormScale = 0.0; // from the data
   all[3].Data = NormalData::Original;
-  all[3].AreaWeighted = false;
+  all[3].Weighting = SiteWeight::Uniform;
   all[3].IncludeOwn = true;
   all[3].SpatialScale = 0.0;
   all[3].Vertices.Scheme = VertexScheme::IntegralFit;

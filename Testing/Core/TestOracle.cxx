@@ -43,7 +43,7 @@ MeshDenoisingSettings ToEngine(const Textbook::Settings& settings)
   same.NormScale = settings.Scale;
   same.Argument = static_cast<NormalArgument>(settings.Compared);
   same.SpatialScale = settings.SpatialScale;
-  same.AreaWeighted = settings.AreaWeighted;
+  same.Weighting = settings.AreaWeighted ? SiteWeight::Area : SiteWeight::Uniform;
   same.IncludeOwn = settings.IncludeOwn;
   same.Data = static_cast<NormalData>(settings.Averaged);
   same.OuterIterations = settings.OuterIterations;

@@ -33,7 +33,7 @@ protected:
   {
     Execution serial;
     NormalFilter filter(this->Graph, settings);
-    filter.SetGeometry(this->Centroids, this->Areas, 1e-12, serial);
+    filter.SetGeometry({ this->Centroids, this->Areas, 1e-12 }, serial);
     Buffer<Vec3> current = this->Normals;
     Buffer<Vec3> filtered;
     for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -116,7 +116,7 @@ TEST_F(FourFaces, MEstimateByReweighting)
   this->Settings.Norm = HuberNorm{ 0.35 };
   this->Settings.IncludeOwn = true;
   this->ExpectNormal(this->Settings, Vec3(0.110436, 0.173244, 0.978668), 40);
-  this->Settings.AreaWeighted = false;
+  this->Settings.Weighting = SiteWeight::Uniform;
   this->ExpectNormal(this->Settings, Vec3(0.148396, 0.114872, 0.982234), 40);
 }
 
@@ -124,7 +124,7 @@ TEST_F(FourFaces, MEstimateByReweighting)
 TEST_F(FourFaces, GeometricMedian)
 {
   this->Settings.Norm = L1Norm{ 1e-9 };
-  this->Settings.AreaWeighted = false;
+  this->Settings.Weighting = SiteWeight::Uniform;
   // A fifth site that sees all faces and starts anywhere.
   this->Graph.Offsets = { 0, 0, 0, 0, 0, 4 };
   this->Graph.Ids = { 0, 1, 2, 3 };
@@ -133,7 +133,7 @@ TEST_F(FourFaces, GeometricMedian)
   this->Centroids.push_back(Vec3(0, 0, 0));
   Execution serial;
   NormalFilter filter(this->Graph, this->Settings);
-  filter.SetGeometry(this->Centroids, this->Areas, 1e-12, serial);
+  filter.SetGeometry({ this->Centroids, this->Areas, 1e-12 }, serial);
   Buffer<Vec3> current = this->Normals;
   Buffer<Vec3> filtered;
   for (int sweep = 0; sweep < 250; ++sweep)
@@ -147,7 +147,7 @@ TEST_F(FourFaces, GeometricMedian)
 // Sun et al. weigh by max(0, n_i . n_j - T)^2. That is Tukey's norm with scale sqrt(2 (1 - T)).
 TEST_F(FourFaces, ThresholdedCosineIsTukey)
 {
-  this->Settings.AreaWeighted = false;
+  this->Settings.Weighting = SiteWeight::Uniform;
   this->Settings.IncludeOwn = true;
   const std::pair<double, Vec3> rows[] = { { 0.5, Vec3(0.061129, 0.099034, 0.993205) },
     { 0.4, Vec3(0.060760, 0.101922, 0.992935) } };
@@ -173,7 +173,7 @@ TEST_F(FourFaces, NothingToAverageKeepsTheNormal)
   auto kept = [&](const NormalFilterSettings& settings)
   {
     NormalFilter filter(this->Graph, settings);
-    filter.SetGeometry(this->Centroids, this->Areas, 1e-12, serial);
+    filter.SetGeometry({ this->Centroids, this->Areas, 1e-12 }, serial);
     return filter.Sweep(this->Normals, filtered, serial);
   };
   // No neighbour within the scale.
@@ -206,6 +206,6 @@ TEST_F(FourFaces, FaceWithoutNormalTakesThePlainMean)
   this->Settings.IncludeOwn = true;
   this->ExpectNormal(this->Settings, mean.normalized());
   this->Areas[3] = 0.0; // a neighbour without area has no say, whether areas are weights or not
-  this->Settings.AreaWeighted = false;
+  this->Settings.Weighting = SiteWeight::Uniform;
   this->ExpectNormal(this->Settings, (this->Normals[1] + this->Normals[2]).normalized());
 }

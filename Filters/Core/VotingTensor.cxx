@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "VotingTensor.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <atomic>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// The normal at j as the site at the origin would have it on a common circular arc.
+Vec3 RotatedVote(const Vec3& n, const Vec3& towards)
+{
+  const Vec3 u = towards.cross(n).cross(towards);
+  const double length = u.norm();
+  return length > 0.0 ? Vec3(2.0 * n.dot(u / length) * (u / length) - n) : n;
+}
+
+/// d n + sum_k b_k (e_k . n) e_k, not normalised.
+Vec3 Project(const Mat3& tensor, const Vec3& n, const Vec3& mean,
+  const VotingTensorSettings& settings)
+{
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor); // ascending eigenvalues
+  const Vec3& values = solver.eigenvalues();
+  const Mat3& vectors = solver.eigenvectors();
+  const Vec3 first = vectors.col(2);
+  if (n.isZero(0.0))
+  {
+    return first.dot(mean) < 0.0 ? Vec3(-first) : first;
+  }
+  const double threshold = settings.Threshold * values.norm();
+  if (values[0] >= threshold)
+  {
+    return n; // a corner
+  }
+  Vec3 projected = first.dot(n) * first;
+  if (values[1] >= threshold)
+  {
+    const Vec3 second = vectors.col(1);
+    projected += second.dot(n) * second;
+  }
+  return settings.Damping * n + projected;
+}
+
+}
+
+std::size_t VoteOnNormals(const NormalFilter& filter, const NormalFilter::Fields& fields,
+  const Buffer<Vec3>& positions, const VotingTensorSettings& settings, Buffer<Vec3>& filtered,
+  Execution& execution)
+{
+  const NeighborGraph& graph = filter.Neighbors();
+  filtered.resize(graph.NumberOfRows());
+  std::atomic<std::size_t> kept{ 0 };
+  filter.VisitWeights(fields, execution,
+    [&](std::size_t i, const double* weights)
+    {
+      Mat3 tensor = Mat3::Zero();
+      Vec3 mean(0.0, 0.0, 0.0);
+      double total = 0.0;
+      auto vote = [&](std::size_t j)
+      {
+        const double w = *weights++;
+        const Vec3& data = fields.Data[j];
+        const Vec3 n =
+          settings.RotateVotes && j != i ? RotatedVote(data, positions[j] - positions[i]) : data;
+        tensor.noalias() += (w * n) * n.transpose();
+        mean += w * n;
+        total += w;
+      };
+      if (filter.IncludesOwn())
+      {
+        vote(i);
+      }
+      for (const Index j : graph.Row(i))
+      {
+        vote(j);
+      }
+      filtered[i] = fields.Current[i];
+      const Vec3 voted = total > NormalFilter::NoWeight
+        ? Project(tensor / total, fields.Current[i], mean, settings)
+        : Vec3(0.0, 0.0, 0.0);
+      const double length = voted.norm();
+      if (length > 1e-12)
+      {
+        filtered[i] = voted / length;
+      }
+      else
+      {
+        ++kept;
+      }
+    });
+  return kept;
+}
+
+}
