@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "TextbookInternals.h"
 #include "TextbookVectors.h"
 
 #include <algorithm>
@@ -45,130 +46,161 @@ double Weight(Norm norm, double scale, double x)
 namespace
 {
 
-double Compare(Argument argument, const Vector& m, const Vector& n, double distance)
+bool IsGrown(Neighborhood faces)
 {
-  switch (argument)
-  {
-    case Argument::Chord:
-      return Length(m - n);
-    case Argument::Angle:
-      return std::atan2(Length(Cross(m, n)), Dot(m, n));
-    case Argument::DirectionalCurvature:
-      return std::atan2(Length(Cross(m, n)), Dot(m, n)) / distance;
-  }
-  return 0.0;
+  return faces == Neighborhood::Radius || faces == Neighborhood::EdgeRadius;
 }
 
-Neighbors FindNeighbors(const Mesh& mesh, const Settings& settings, double radius)
+Neighbors FindNeighbors(const Mesh& mesh, Neighborhood faces, double radius)
 {
-  Neighbors neighbors = settings.Faces == Neighborhood::EdgeAdjacent ? FacesAtEdges(mesh)
-    : settings.Faces == Neighborhood::VertexSharing                  ? FacesAtPoints(mesh)
-                                                                     : FacesWithin(mesh, radius);
-  for (int f = 0; settings.IncludeOwn && f < int(neighbors.size()); ++f)
+  switch (faces)
   {
-    neighbors[f].push_back(f);
+    case Neighborhood::EdgeAdjacent:
+      return FacesAtEdges(mesh);
+    case Neighborhood::VertexSharing:
+      return FacesAtPoints(mesh);
+    case Neighborhood::Radius:
+      return FacesWithin(mesh, radius);
+    case Neighborhood::EdgeRadius:
+      return FacesWithinAcrossEdges(mesh, radius);
   }
-  return neighbors;
+  return {};
 }
 
-/// What does not change while normals are filtered.
-struct Surroundings
+/// What follows from the points, with lengths measured against the mean edge of the input.
+void Measure(Surroundings& here, const Mesh& mesh, double edge)
 {
-  Neighbors Averaged;
-  std::vector<Vector> Centroids;
-  std::vector<double> Areas; // 0: degenerate
-  double SpatialSigma;
-  double NormScale;
-  double ShortestDistance;
-};
-
-/// centres and data are the same field, unless the data stays the original.
-std::vector<Vector> Sweep(const Surroundings& here, const Settings& settings,
-  const std::vector<Vector>& centres, const std::vector<Vector>& data, std::vector<double>* margins)
-{
-  std::vector<Vector> filtered = centres;
-  for (std::size_t i = 0; i < centres.size(); ++i)
+  const std::size_t faces = mesh.Faces.size();
+  here.Surface = &mesh;
+  here.ShortestDistance = 1e-12 * edge;
+  here.Centroids.resize(faces);
+  here.Areas.resize(faces);
+  here.Normals.resize(faces);
+  for (std::size_t f = 0; f < faces; ++f)
   {
-    const bool hasOpinion = Length(centres[i]) > 0.0;
-    Vector sum = { 0.0, 0.0, 0.0 };
-    double total = 0.0;
-    for (const int j : here.Averaged[i])
-    {
-      if (here.Areas[j] == 0.0)
-      {
-        continue;
-      }
-      const double distance = Length(here.Centroids[i] - here.Centroids[j]);
-      const double x = hasOpinion
-        ? Compare(settings.Compared, centres[i], data[j], std::max(distance, here.ShortestDistance))
-        : 0.0;
-      double w = Weight(settings.WeightNorm, here.NormScale, x);
-      if (settings.SpatialScale > 0.0)
-      {
-        w *= std::exp(-distance * distance / (2.0 * here.SpatialSigma * here.SpatialSigma));
-      }
-      if (settings.AreaWeighted)
-      {
-        w *= here.Areas[j];
-      }
-      sum = sum + w * data[j];
-      total += w;
-      if (margins)
-      {
-        (*margins)[i] = std::min((*margins)[i], std::abs(x - here.NormScale) / here.NormScale);
-      }
-    }
-    // Weights next to nothing are no weights, and opposite normals have no mean.
-    if (Length(sum) > std::max(1e-140, 1e-12 * total))
-    {
-      filtered[i] = (1.0 / Length(sum)) * sum;
-    }
+    const Vector s = AreaVector(mesh, mesh.Faces[f]);
+    const bool degenerate = !(Length(s) > 1e-12 * edge * edge);
+    here.Centroids[f] = Centroid(mesh, mesh.Faces[f]);
+    here.Areas[f] = degenerate ? 0.0 : Length(s);
+    here.Normals[f] = degenerate ? Vector{ 0.0, 0.0, 0.0 } : Unit(s);
   }
-  return filtered;
+}
+
+/// Per face, the mean distance to the centroids of adjacent faces; the common one if that is 0.
+std::vector<double> DistancesOfFaces(const Surroundings& here, double common)
+{
+  std::vector<double> distances;
+  for (std::size_t f = 0; f < here.AtEdges.size(); ++f)
+  {
+    double sum = 0.0;
+    for (const int g : here.AtEdges[f])
+    {
+      sum += Length(here.Centroids[f] - here.Centroids[g]);
+    }
+    distances.push_back(sum > 0.0 ? sum / double(here.AtEdges[f].size()) : common);
+  }
+  return distances;
+}
+
+/// The scales, which follow from the distances.
+void Scale(Surroundings& here, const Settings& settings, double distance, double edge)
+{
+  here.NormScale = settings.Scale;
+  if (settings.Compared != Argument::Chord && settings.Compared != Argument::Angle)
+  {
+    here.NormScale /= settings.ScaleUnit == CurvatureUnit::EdgeLength ? edge : distance;
+  }
+  here.SpatialSigmas.assign(here.Areas.size(), distance);
+  if (settings.Width == SpatialWidth::PerFace)
+  {
+    here.SpatialSigmas = DistancesOfFaces(here, distance);
+  }
+  for (double& sigma : here.SpatialSigmas)
+  {
+    sigma *= settings.SpatialScale;
+  }
+}
+
+std::vector<Vector> Filtered(const Surroundings& here, const Settings& settings,
+  const Fields& fields, Margins& margins)
+{
+  switch (settings.Step)
+  {
+    case Operator::Average:
+      return Average(here, settings, fields, margins);
+    case Operator::Diffusion:
+      return Diffuse(here, settings, fields, margins);
+    case Operator::GlobalSolve:
+      return SolveGlobally(here, settings, fields, margins);
+    case Operator::Median:
+      return SelectMedians(here, settings, fields, margins);
+    case Operator::VotingTensor:
+      return VoteByTensor(here, settings, fields, margins);
+  }
+  return fields.Current;
 }
 
 }
 
 std::vector<Vector> Denoise(Mesh& mesh, const Settings& settings, std::vector<double>* margins)
 {
-  const std::size_t faces = mesh.Faces.size();
-  if (margins)
+  if (settings.AsReleased)
   {
-    margins->assign(faces, std::numeric_limits<double>::infinity());
+    return DenoiseAsReleased(mesh, settings.Scale, settings.Relaxation, settings.OuterIterations,
+      margins);
   }
+  const std::size_t faces = mesh.Faces.size();
+  const std::vector<Vector> input = mesh.Points;
   const double edge = MeanEdgeLength(mesh);
+  Margins nearest(faces, std::numeric_limits<double>::infinity());
   std::vector<Vector> normals(faces);
   Surroundings here;
+  if (settings.Guide == Guidance::Patch)
+  {
+    here.AtPoints = FacesAtPoints(mesh);
+  }
+  if (settings.Guide == Guidance::Patch || settings.Step == Operator::Median ||
+    settings.Width == SpatialWidth::PerFace)
+  {
+    here.AtEdges = FacesAtEdges(mesh);
+  }
+  double relaxation = settings.Relaxation;
   for (int outer = 0; outer < settings.OuterIterations; ++outer)
   {
     const double distance = MeanCentroidDistance(mesh);
-    const bool curvature = settings.Compared == Argument::DirectionalCurvature;
-    here.NormScale = curvature ? settings.Scale / distance : settings.Scale;
-    here.SpatialSigma = settings.SpatialScale * distance;
-    here.ShortestDistance = 1e-12 * edge;
-    if (outer == 0 || settings.Faces == Neighborhood::Radius)
+    Measure(here, mesh, edge);
+    Scale(here, settings, distance, edge);
+    if (outer == 0 || (IsGrown(settings.Faces) && settings.RenewNeighborhood))
     {
-      here.Averaged = FindNeighbors(mesh, settings, settings.Radius * distance);
+      here.Averaged = FindNeighbors(mesh, settings.Faces, settings.Radius * distance);
+      for (int f = 0; settings.IncludeOwn && f < int(faces); ++f)
+      {
+        here.Averaged[f].push_back(f);
+      }
     }
-    here.Centroids.resize(faces);
-    here.Areas.resize(faces);
-    for (std::size_t f = 0; f < faces; ++f)
+    if (settings.Compared == Argument::FaceCurvature)
     {
-      const Vector s = AreaVector(mesh, mesh.Faces[f]);
-      const bool degenerate = !(Length(s) > 1e-12 * edge * edge);
-      here.Centroids[f] = Centroid(mesh, mesh.Faces[f]);
-      here.Areas[f] = degenerate ? 0.0 : Length(s);
-      normals[f] = degenerate ? Vector{ 0.0, 0.0, 0.0 } : (1.0 / Length(s)) * s;
+      here.Curvatures = FaceCurvatures(mesh, here.Normals);
     }
 
-    const std::vector<Vector> original = normals;
+    normals = here.Normals;
     for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
     {
-      normals = Sweep(here, settings, normals,
-        settings.Averaged == Data::Original ? original : normals, margins);
+      normals =
+        Filtered(here, settings, LookAt(here, settings, normals, here.Normals, nearest), nearest);
     }
+
     UpdatePoints(mesh, normals, settings.VertexUpdate, settings.FreeBoundary,
-      settings.VertexIterations);
+      settings.VertexIterations, relaxation, input, settings.MaximumDisplacement * edge);
+    relaxation *= std::pow(0.7, settings.VertexIterations);
+    if (settings.VertexIterations > 0 && settings.InputPull > 0.0)
+    {
+      PullToInput(mesh, normals, settings.FreeBoundary, input, settings.InputPull);
+    }
+  }
+  if (margins)
+  {
+    *margins = nearest;
   }
   return normals;
 }

@@ -1,22 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "TextbookInternals.h"
 #include "TextbookVectors.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
-#include <utility>
 
 namespace Textbook
 {
 
-namespace
-{
-
-using Edge = std::pair<int, int>; // smaller number first
-
-/// The faces of every edge; a face that runs along an edge twice counts twice.
 std::map<Edge, std::vector<int>> FacesOfEdges(const Mesh& mesh)
 {
   std::map<Edge, std::vector<int>> faces;
@@ -35,6 +28,26 @@ std::map<Edge, std::vector<int>> FacesOfEdges(const Mesh& mesh)
   return faces;
 }
 
+std::vector<std::vector<int>> FacesOfPoints(const Mesh& mesh)
+{
+  std::vector<std::vector<int>> faces(mesh.Points.size());
+  for (int f = 0; f < int(mesh.Faces.size()); ++f)
+  {
+    for (const int v : mesh.Faces[f])
+    {
+      // A face that repeats a point is one face all the same.
+      if (faces[v].empty() || faces[v].back() != f)
+      {
+        faces[v].push_back(f);
+      }
+    }
+  }
+  return faces;
+}
+
+namespace
+{
+
 Neighbors WithoutSelf(const std::vector<std::set<int>>& sets)
 {
   Neighbors neighbors(sets.size());
@@ -51,45 +64,8 @@ Neighbors WithoutSelf(const std::vector<std::set<int>>& sets)
   return neighbors;
 }
 
-}
-
-Neighbors FacesAtEdges(const Mesh& mesh)
+Neighbors Grow(const Mesh& mesh, const Neighbors& connected, double radius)
 {
-  std::vector<std::set<int>> sets(mesh.Faces.size());
-  for (const auto& edge : FacesOfEdges(mesh))
-  {
-    for (const int f : edge.second)
-    {
-      sets[f].insert(edge.second.begin(), edge.second.end());
-    }
-  }
-  return WithoutSelf(sets);
-}
-
-Neighbors FacesAtPoints(const Mesh& mesh)
-{
-  std::vector<std::set<int>> facesOfPoint(mesh.Points.size());
-  for (int f = 0; f < int(mesh.Faces.size()); ++f)
-  {
-    for (const int v : mesh.Faces[f])
-    {
-      facesOfPoint[v].insert(f);
-    }
-  }
-  std::vector<std::set<int>> sets(mesh.Faces.size());
-  for (std::size_t f = 0; f < sets.size(); ++f)
-  {
-    for (const int v : mesh.Faces[f])
-    {
-      sets[f].insert(facesOfPoint[v].begin(), facesOfPoint[v].end());
-    }
-  }
-  return WithoutSelf(sets);
-}
-
-Neighbors FacesWithin(const Mesh& mesh, double radius)
-{
-  const Neighbors connected = FacesAtPoints(mesh);
   std::vector<std::set<int>> sets(mesh.Faces.size());
   for (int f = 0; f < int(sets.size()); ++f)
   {
@@ -111,6 +87,58 @@ Neighbors FacesWithin(const Mesh& mesh, double radius)
   return WithoutSelf(sets);
 }
 
+}
+
+std::vector<std::vector<int>> Rings(const Mesh& mesh)
+{
+  std::vector<std::set<int>> sets(mesh.Points.size());
+  for (const Face& face : mesh.Faces)
+  {
+    for (const int v : face)
+    {
+      sets[v].insert(face.begin(), face.end());
+    }
+  }
+  return WithoutSelf(sets);
+}
+
+Neighbors FacesAtEdges(const Mesh& mesh)
+{
+  std::vector<std::set<int>> sets(mesh.Faces.size());
+  for (const auto& edge : FacesOfEdges(mesh))
+  {
+    for (const int f : edge.second)
+    {
+      sets[f].insert(edge.second.begin(), edge.second.end());
+    }
+  }
+  return WithoutSelf(sets);
+}
+
+Neighbors FacesAtPoints(const Mesh& mesh)
+{
+  const std::vector<std::vector<int>> facesOfPoint = FacesOfPoints(mesh);
+  std::vector<std::set<int>> sets(mesh.Faces.size());
+  for (std::size_t f = 0; f < sets.size(); ++f)
+  {
+    for (const int v : mesh.Faces[f])
+    {
+      sets[f].insert(facesOfPoint[v].begin(), facesOfPoint[v].end());
+    }
+  }
+  return WithoutSelf(sets);
+}
+
+Neighbors FacesWithin(const Mesh& mesh, double radius)
+{
+  return Grow(mesh, FacesAtPoints(mesh), radius);
+}
+
+Neighbors FacesWithinAcrossEdges(const Mesh& mesh, double radius)
+{
+  return Grow(mesh, FacesAtEdges(mesh), radius);
+}
+
 std::vector<bool> BoundaryPoints(const Mesh& mesh)
 {
   std::vector<bool> boundary(mesh.Points.size(), false);
@@ -123,6 +151,17 @@ std::vector<bool> BoundaryPoints(const Mesh& mesh)
     }
   }
   return boundary;
+}
+
+std::vector<bool> MovingPoints(const Mesh& mesh)
+{
+  const std::vector<std::vector<int>> stars = FacesOfPoints(mesh);
+  std::vector<bool> moves = BoundaryPoints(mesh);
+  for (std::size_t v = 0; v < moves.size(); ++v)
+  {
+    moves[v] = !moves[v] && !stars[v].empty();
+  }
+  return moves;
 }
 
 double MeanEdgeLength(const Mesh& mesh)

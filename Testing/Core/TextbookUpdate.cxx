@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "TextbookInternals.h"
 #include "TextbookVectors.h"
+
+#include <cmath>
 
 namespace Textbook
 {
@@ -16,7 +19,47 @@ std::array<int, 2> OtherCorners(const Face& face, int v)
   return { face[(corner + 1) % 3], face[(corner + 2) % 3] };
 }
 
-/// Where point v goes, all other points as they are.
+/// The unit vector of the targets weighted by area; zero if they cancel out.
+Vector MeanTarget(const Mesh& mesh, const std::vector<int>& faces,
+  const std::vector<Vector>& targets)
+{
+  Vector sum = { 0.0, 0.0, 0.0 };
+  double total = 0.0;
+  for (const int f : faces)
+  {
+    const double area = Length(AreaVector(mesh, mesh.Faces[f]));
+    sum = sum + area * targets[f];
+    total += area;
+  }
+  return Length(sum) > 1e-12 * total ? Unit(sum) : Vector{ 0.0, 0.0, 0.0 };
+}
+
+/// The way to the mean of the ring weighted by edge length, its tangential part twice.
+Vector WayToRing(const Mesh& mesh, const std::vector<int>& faces, int v,
+  const std::vector<Vector>& targets)
+{
+  const Vector p = mesh.Points[v];
+  Vector sum = { 0.0, 0.0, 0.0 };
+  double total = 0.0;
+  for (const int f : faces)
+  {
+    for (const int q : OtherCorners(mesh.Faces[f], v))
+    {
+      const double length = Length(mesh.Points[q] - p);
+      sum = sum + length * mesh.Points[q];
+      total += length;
+    }
+  }
+  if (total == 0.0)
+  {
+    return { 0.0, 0.0, 0.0 };
+  }
+  const Vector way = (1.0 / total) * sum - p;
+  const Vector normal = MeanTarget(mesh, faces, targets);
+  return way + (way - Dot(way, normal) * normal);
+}
+
+/// Where point v goes, all other points as they are, by the targets alone.
 Vector Moved(const Mesh& mesh, const std::vector<int>& faces, int v,
   const std::vector<Vector>& targets, Update update, double smallestArea)
 {
@@ -41,6 +84,7 @@ Vector Moved(const Mesh& mesh, const std::vector<int>& faces, int v,
     {
       case Update::FaceMean:
       case Update::ConstantStep:
+      case Update::EdgeWeighted:
         sum = sum + (Dot(m, q - p) + Dot(m, r - p)) * m;
         break;
       case Update::AreaWeighted:
@@ -57,6 +101,7 @@ Vector Moved(const Mesh& mesh, const std::vector<int>& faces, int v,
   switch (update)
   {
     case Update::FaceMean:
+    case Update::EdgeWeighted:
       return count > 0.0 ? p + (1.0 / (3.0 * count)) * sum : p;
     case Update::ConstantStep:
       return p + (1.0 / 18.0) * sum;
@@ -71,34 +116,50 @@ Vector Moved(const Mesh& mesh, const std::vector<int>& faces, int v,
 }
 
 void UpdatePoints(Mesh& mesh, const std::vector<Vector>& targets, Update update, bool freeBoundary,
-  int count)
+  int count, double relaxation, const std::vector<Vector>& input, double longest)
 {
   const std::vector<bool> boundary = BoundaryPoints(mesh);
   const double edge = MeanEdgeLength(mesh);
-  std::vector<std::vector<int>> facesOfPoint(mesh.Points.size());
-  for (int f = 0; f < int(mesh.Faces.size()); ++f)
-  {
-    for (const int v : mesh.Faces[f])
-    {
-      // A face that repeats a point is one face all the same.
-      if (facesOfPoint[v].empty() || facesOfPoint[v].back() != f)
-      {
-        facesOfPoint[v].push_back(f);
-      }
-    }
-  }
+  const std::vector<std::vector<int>> facesOfPoint = FacesOfPoints(mesh);
   for (int step = 0; step < count; ++step)
   {
     std::vector<Vector> moved = mesh.Points;
     for (int v = 0; v < int(moved.size()); ++v)
     {
+      const std::vector<int>& faces = facesOfPoint[v];
       if (freeBoundary || !boundary[v])
       {
-        moved[v] = Moved(mesh, facesOfPoint[v], v, targets, update, 1e-12 * edge * edge);
+        moved[v] = Moved(mesh, faces, v, targets, update, 1e-12 * edge * edge);
+      }
+      if (update == Update::EdgeWeighted && !boundary[v])
+      {
+        moved[v] = moved[v] + relaxation * WayToRing(mesh, faces, v, targets);
+      }
+      if (longest > 0.0 && Length(moved[v] - input[v]) > longest)
+      {
+        moved[v] = input[v] + longest * Unit(moved[v] - input[v]);
       }
     }
     mesh.Points = moved;
+    relaxation *= 0.7;
   }
+}
+
+void PullToInput(Mesh& mesh, const std::vector<Vector>& targets, bool freeBoundary,
+  const std::vector<Vector>& input, double part)
+{
+  const std::vector<bool> boundary = BoundaryPoints(mesh);
+  const std::vector<std::vector<int>> facesOfPoint = FacesOfPoints(mesh);
+  std::vector<Vector> pulled = mesh.Points;
+  for (std::size_t v = 0; v < pulled.size(); ++v)
+  {
+    if (freeBoundary || !boundary[v])
+    {
+      const Vector normal = MeanTarget(mesh, facesOfPoint[v], targets);
+      pulled[v] = pulled[v] + part * Dot(input[v] - mesh.Points[v], normal) * normal;
+    }
+  }
+  mesh.Points = pulled;
 }
 
 }

@@ -40,6 +40,14 @@ inline Vector Cross(const Vector& a, const Vector& b)
 
 inline double Length(const Vector& a) { return std::sqrt(Dot(a, a)); }
 
+/// The vector itself if it is zero.
+inline Vector Unit(const Vector& a) { return Length(a) > 0.0 ? (1.0 / Length(a)) * a : a; }
+
+inline double AngleBetween(const Vector& a, const Vector& b)
+{
+  return std::atan2(Length(Cross(a, b)), Dot(a, b));
+}
+
 inline Vector AreaVector(const Mesh& mesh, const Face& face)
 {
   const Vector& a = mesh.Points[face[0]];
