@@ -65,6 +65,7 @@ void FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution)
   ComputeFaceGeometry(this->Mesh, this->EdgeLength, this->Geometry, execution);
   this->Distance =
     MeanAdjacentDistance(this->Mesh, this->Stars, this->Geometry.Centroids, execution);
+  this->Unit = this->ScaleUnit(execution);
   const bool first = !this->Renewed;
   this->Renewed = true;
   if (normals.empty())
@@ -84,11 +85,15 @@ void FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution)
 }
 
 /// Scales of curvatures are given times this length.
-double FaceFilter::ScaleUnit() const
+double FaceFilter::ScaleUnit(Execution& execution) const
 {
-  const double unit = !IsCurvature(this->Settings.Argument) ? 1.0
-    : this->Settings.Unit == CurvatureUnit::EdgeLength      ? this->EdgeLength
-                                                            : this->Distance;
+  double unit = 1.0;
+  if (IsCurvature(this->Settings.Argument))
+  {
+    unit = this->Settings.Unit == CurvatureUnit::EdgeLength
+      ? TakeEdgeCensus(this->Mesh, this->Stars, execution).MeanEdgeLength
+      : this->Distance;
+  }
   return unit > 0.0 ? unit : 1.0;
 }
 
@@ -113,7 +118,7 @@ void FaceFilter::ChooseScale(const Buffer<Vec3>& normals, Execution& execution)
     values = AdjacentDifferences(this->Mesh, this->Stars, normals, this->Geometry.Centroids,
       settings.Argument, 1e-12 * this->EdgeLength);
   }
-  const double sigma = RobustScale(values, settings.Estimator) * this->ScaleUnit();
+  const double sigma = RobustScale(values, settings.Estimator) * this->Unit;
   this->Report.NoNoiseFound = sigma < 1e-6;
   this->Report.NormScale = ScaleForOutlierBoundary(settings.Norm, sigma);
 }
@@ -245,7 +250,7 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, Execution& execution, double first, 
 {
   const FaceFilterSettings& settings = this->Settings;
   NormalFilterSettings weights;
-  weights.Norm = MakeErrorNorm(settings.Norm, this->Report.NormScale / this->ScaleUnit());
+  weights.Norm = MakeErrorNorm(settings.Norm, this->Report.NormScale / this->Unit);
   weights.Argument = settings.Argument;
   weights.SpatialSigma = settings.SpatialScale * this->Distance;
   weights.Weighting = settings.Weighting;

@@ -56,11 +56,12 @@ enum class NormalOperator : int
   VotingTensor, ///< the tensor of the normals, see VotingTensor.h
 };
 
-/// What the scale of a norm is relative to, if the argument is a curvature.
+/// What the scale of a norm is relative to, if the argument is a curvature; of the present
+/// positions.
 enum class CurvatureUnit : int
 {
-  CentroidDistance, ///< d of the present positions
-  EdgeLength        ///< l, the mean edge length of the input
+  CentroidDistance, ///< d
+  EdgeLength        ///< l, the mean edge length
 };
 
 struct FaceFilterSettings
@@ -123,7 +124,7 @@ public:
   bool Run(Buffer<Vec3>& normals, Execution& execution, double first, double last);
 
 private:
-  double ScaleUnit() const;
+  double ScaleUnit(Execution& execution) const;
   Buffer<double> Curvatures(Execution& execution) const;
   void ChooseScale(const Buffer<Vec3>& normals, Execution& execution);
   void FindNeighbors(Execution& execution);
@@ -143,6 +144,7 @@ private:
   bool Renewed = false;
   FaceGeometry Geometry;
   double Distance = 0.0; ///< d of the present positions
+  double Unit = 1.0;     ///< what scales of the norm are divided by
   NeighborGraph VertexSharing; ///< if the neighbourhood or the guidance needs it
   NeighborGraph EdgeAdjacent;  ///< if the neighbourhood needs it
   NeighborGraph Ball;          ///< the neighbourhood, if it is one in a ball

@@ -104,6 +104,7 @@ void PatchGuidance::Compute(const Buffer<Vec3>& normals, const Buffer<double>& a
         y.clear();
         z.clear();
         Vec3 sum(0.0, 0.0, 0.0);
+        double area = 0.0;
         auto add = [&](std::size_t a)
         {
           const Vec3& n = normals[a];
@@ -113,6 +114,7 @@ void PatchGuidance::Compute(const Buffer<Vec3>& normals, const Buffer<double>& a
             y.push_back(n[1]);
             z.push_back(n[2]);
             sum += areas[a] * n;
+            area += areas[a];
           }
         };
         add(f);
@@ -131,7 +133,7 @@ void PatchGuidance::Compute(const Buffer<Vec3>& normals, const Buffer<double>& a
         }
         const double saliency = sharpest >= 0.0 ? sharpest / (1e-9 + total) : 1.0;
         const double length = sum.norm();
-        const bool valid = x.size() >= 2 && length > 0.0;
+        const bool valid = x.size() >= 2 && length > 1e-12 * area;
         this->Inconsistency[f] = valid ? range * saliency : infinity;
         this->PatchNormals[f] = valid ? Vec3(sum / length) : normals[f];
       }

@@ -152,12 +152,14 @@ void VertexUpdate::ComputeAreas(const Buffer<Vec3>& positions, Execution& execut
 Vec3 VertexUpdate::MeanTarget(std::size_t vertex, const Buffer<Vec3>& targets) const
 {
   Vec3 sum(0.0, 0.0, 0.0);
+  double area = 0.0;
   for (const Index f : this->Stars.Row(vertex))
   {
     sum += this->FaceArea[f] * targets[f];
+    area += this->FaceArea[f];
   }
   const double length = sum.norm();
-  return length > 0.0 ? Vec3(sum / length) : sum;
+  return length > 1e-12 * area ? Vec3(sum / length) : Vec3(0.0, 0.0, 0.0);
 }
 
 /// D + D_t. The faces of a vertex name each vertex of the ring twice, which a mean does not notice.

@@ -22,17 +22,12 @@ Vec3 RotatedVote(const Vec3& n, const Vec3& towards)
 }
 
 /// d n + sum_k b_k (e_k . n) e_k, not normalised.
-Vec3 Project(const Mat3& tensor, const Vec3& n, const Vec3& mean,
-  const VotingTensorSettings& settings)
+Vec3 Project(const Mat3& tensor, const Vec3& n, const VotingTensorSettings& settings)
 {
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor); // ascending eigenvalues
   const Vec3& values = solver.eigenvalues();
   const Mat3& vectors = solver.eigenvectors();
   const Vec3 first = vectors.col(2);
-  if (n.isZero(0.0))
-  {
-    return first.dot(mean) < 0.0 ? Vec3(-first) : first;
-  }
   const double threshold = settings.Threshold * values.norm();
   if (values[0] >= threshold)
   {
@@ -69,7 +64,7 @@ std::size_t VoteOnNormals(const NormalFilter& filter, const NormalFilter::Fields
         const Vec3 n =
           settings.RotateVotes && j != i ? RotatedVote(data, positions[j] - positions[i]) : data;
         tensor.noalias() += (w * n) * n.transpose();
-        mean += w * n;
+        mean += w * data;
         total += w;
       };
       if (filter.IncludesOwn())
@@ -80,10 +75,13 @@ std::size_t VoteOnNormals(const NormalFilter& filter, const NormalFilter::Fields
       {
         vote(j);
       }
-      filtered[i] = fields.Current[i];
-      const Vec3 voted = total > NormalFilter::NoWeight
-        ? Project(tensor / total, fields.Current[i], mean, settings)
-        : Vec3(0.0, 0.0, 0.0);
+      const Vec3& own = fields.Current[i];
+      filtered[i] = own;
+      Vec3 voted(0.0, 0.0, 0.0);
+      if (total > NormalFilter::NoWeight)
+      {
+        voted = own.isZero(0.0) ? Vec3(mean / total) : Project(tensor / total, own, settings);
+      }
       const double length = voted.norm();
       if (length > 1e-12)
       {

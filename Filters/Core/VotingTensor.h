@@ -31,8 +31,7 @@ struct VotingTensorSettings
 };
 
 /**
- * One step for all sites. A site whose own normal is zero takes the first eigenvector, on the side
- * of the weighted mean. Returns the number of sites that kept their normal because no neighbour had
+ * One step for all sites. A site whose own normal is zero takes the weighted mean. Returns the number of sites that kept their normal because no neighbour had
  * weight.
  */
 std::size_t VoteOnNormals(const NormalFilter& filter, const NormalFilter::Fields& fields,

@@ -102,7 +102,7 @@ std::vector<double> DistancesOfFaces(const Surroundings& here, double common)
   return distances;
 }
 
-/// The scales, which follow from the distances.
+/// The scales, which follow from the distances as they are now.
 void Scale(Surroundings& here, const Settings& settings, double distance, double edge)
 {
   here.NormScale = settings.Scale;
@@ -169,7 +169,7 @@ std::vector<Vector> Denoise(Mesh& mesh, const Settings& settings, std::vector<do
   {
     const double distance = MeanCentroidDistance(mesh);
     Measure(here, mesh, edge);
-    Scale(here, settings, distance, edge);
+    Scale(here, settings, distance, MeanEdgeLength(mesh));
     if (outer == 0 || (IsGrown(settings.Faces) && settings.RenewNeighborhood))
     {
       here.Averaged = FindNeighbors(mesh, settings.Faces, settings.Radius * distance);

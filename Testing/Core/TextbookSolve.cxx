@@ -121,7 +121,7 @@ std::vector<Vector> SolveGlobally(const Surroundings& here, const Settings& sett
       }
     }
     matrix[i][i] += settings.Fidelity * factors[i];
-    right.push_back(settings.Fidelity * factors[i] * fields.Current[i]);
+    right.push_back(settings.Fidelity * factors[i] * fields.Averaged[i]);
     if (factors[i] == 0.0)
     {
       matrix[i][i] = 1.0; // no face looks at it

@@ -154,8 +154,8 @@ std::vector<Vector> VoteByTensor(const Surroundings& here, const Settings& setti
     }
     else
     {
-      margins[i] = std::min(margins[i], (values[0] - values[1]) / values[0]);
-      filtered[i] = Dot(eigen.Vectors[0], sum) < 0.0 ? -1.0 * eigen.Vectors[0] : eigen.Vectors[0];
+      // Without a normal to project there is the mean.
+      filtered[i] = Length(sum) > 1e-12 * total ? Unit(sum) : own;
     }
   }
   return filtered;
