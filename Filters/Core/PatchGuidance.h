@@ -35,6 +35,9 @@ public:
   void Compute(const Buffer<Vec3>& normals, const Buffer<double>& areas, Buffer<Vec3>& guidance,
     Execution& execution);
 
+  /// H of the patch of every face in the last call, infinite if it is none.
+  const Buffer<double>& Inconsistencies() const { return this->Inconsistency; }
+
 private:
   const NeighborGraph& Members; ///< of the patch of every face, but the face itself
   NeighborGraph Adjacent;       ///< faces that share an edge
@@ -42,7 +45,7 @@ private:
 
   // Kept between calls: the memory of one is that of the next.
   Buffer<double> EdgeChords;    ///< per entry of Adjacent; -1 at a face without normal
-  Buffer<double> Inconsistency; ///< of the patch of every face; infinite if it is no patch
+  Buffer<double> Inconsistency;
   Buffer<Vec3> PatchNormals;
 };
 

@@ -1,66 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whole methods on a noisy cube, against the figures of an independent program.
+// The engine on a noisy cube, against the figures of an independent program.
 
-#include "MeshDenoising.h"
-#include "Metrics.h"
-#include "RandomMeshes.h"
-
-#include <gtest/gtest.h>
-
-using namespace SurfaceDenoising;
-
-namespace
-{
-
-struct Figures
-{
-  double MeanAngle = 0.0; ///< between the normals of the faces and those of the clean cube, degrees
-  double Volume = 0.0;
-  std::size_t FeatureEdges = 0; ///< sharper than 70 degrees
-};
-
-Figures Measure(const TriangleMesh& mesh, const TriangleMesh& reference)
-{
-  Execution serial;
-  FaceGeometry geometry;
-  FaceGeometry clean;
-  ComputeFaceGeometry(mesh, 1.0, geometry, serial);
-  ComputeFaceGeometry(reference, 1.0, clean, serial);
-  Figures figures;
-  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    figures.MeanAngle +=
-      AngleBetween(geometry.Normals[f], clean.Normals[f]) / double(mesh.NumberOfFaces());
-  }
-  figures.Volume = SignedVolume(mesh, serial);
-  const NeighborGraph edges = EdgeAdjacentFaces(mesh, VertexStars(mesh), serial);
-  figures.FeatureEdges =
-    CompareFeatureEdges(edges, geometry.Normals, geometry.Normals, 70.0, serial).Reference;
-  return figures;
-}
-
-class NoisyCube : public testing::Test
-{
-protected:
-  NoisyCube() { AddNormalNoise(this->Noisy, 0.2, 12345); }
-
-  Figures Denoise(const TriangleMesh& mesh, const MeshDenoisingSettings& settings) const
-  {
-    TriangleMesh result = mesh;
-    Buffer<Vec3> normals;
-    MeshDenoisingReport report;
-    Execution serial;
-    EXPECT_TRUE(DenoiseMesh(result, normals, settings, report, serial));
-    return Measure(result, this->Clean);
-  }
-
-  TriangleMesh Clean = Cube(8);
-  TriangleMesh Noisy = this->Clean;
-};
-
-}
+#include "NoisyCube.h"
 
 TEST_F(NoisyCube, TheModelItself)
 {
@@ -79,20 +22,6 @@ TEST_F(NoisyCube, TheModelItself)
   EXPECT_EQ(Measure(this->Clean, this->Clean).FeatureEdges, 96u);
 }
 
-TEST_F(NoisyCube, BilateralFilter)
-{
-  const MeshDenoisingSettings settings; // Zheng et al. is the default
-  const Figures figures = this->Denoise(this->Noisy, settings);
-  EXPECT_NEAR(figures.MeanAngle, 2.017, 5e-4);
-  EXPECT_NEAR(figures.Volume, 0.99375, 5e-6);
-  EXPECT_EQ(figures.FeatureEdges, 97u);
-
-  TriangleMesh random = this->Clean;
-  AddDirectionNoise(random, 0.3, 12345);
-  EXPECT_NEAR(Measure(random, this->Clean).MeanAngle, 20.089, 5e-4);
-  EXPECT_NEAR(this->Denoise(random, settings).MeanAngle, 2.991, 5e-4);
-}
-
 TEST_F(NoisyCube, VertexSchemes)
 {
   MeshDenoisingSettings settings;
@@ -100,69 +29,6 @@ TEST_F(NoisyCube, VertexSchemes)
   EXPECT_NEAR(this->Denoise(this->Noisy, settings).MeanAngle, 1.830, 5e-4);
   settings.Vertices.Scheme = VertexScheme::ConstantStep;
   EXPECT_NEAR(this->Denoise(this->Noisy, settings).MeanAngle, 2.026, 5e-4);
-}
-
-// Sun et al., but with areas.
-TEST_F(NoisyCube, ThresholdedCosine)
-{
-  MeshDenoisingSettings settings;
-  settings.Norm = NormId::Tukey;
-  settings.NormScale = 1.0; // T = 0.5
-  settings.SpatialScale = 0.0;
-  settings.IncludeOwn = true;
-  settings.VertexIterations = 50;
-  const Figures figures = this->Denoise(this->Noisy, settings);
-  EXPECT_NEAR(figures.MeanAngle, 1.411, 5e-4);
-  EXPECT_NEAR(figures.Volume, 0.99032, 5e-6);
-  EXPECT_EQ(figures.FeatureEdges, 97u);
-}
-
-TEST_F(NoisyCube, MeanFilter)
-{
-  MeshDenoisingSettings settings;
-  settings.Norm = NormId::L2;
-  settings.SpatialScale = 0.0;
-  settings.IncludeOwn = true;
-  settings.OuterIterations = 10;
-  settings.NormalIterations = 1;
-  settings.VertexIterations = 1;
-  settings.Vertices.Scheme = VertexScheme::AreaWeighted;
-  const Figures figures = this->Denoise(this->Noisy, settings);
-  EXPECT_NEAR(figures.MeanAngle, 14.013, 5e-4);
-  EXPECT_NEAR(figures.Volume, 1.00424, 5e-6);
-  EXPECT_EQ(figures.FeatureEdges, 2u);
-}
-
-TEST_F(NoisyCube, HuberFilter)
-{
-  MeshDenoisingSettings settings;
-  settings.Norm = NormId::Huber;
-  settings.NormScale = 0.1;
-  settings.SpatialScale = 0.0;
-  settings.IncludeOwn = true;
-  settings.NormalIterations = 5;
-  settings.VertexIterations = 20;
-  const Figures figures = this->Denoise(this->Noisy, settings);
-  EXPECT_NEAR(figures.MeanAngle, 5.840, 5e-4);
-  EXPECT_NEAR(figures.Volume, 1.00969, 5e-6);
-  EXPECT_EQ(figures.FeatureEdges, 62u);
-}
-
-TEST_F(NoisyCube, BelyaevOhtake)
-{
-  MeshDenoisingSettings settings;
-  settings.Neighborhood = FaceNeighborhood::EdgeAdjacent;
-  settings.NormScale = 0.6 / std::sqrt(2.0);
-  settings.Argument = NormalArgument::DirectionalCurvature;
-  settings.SpatialScale = 0.0;
-  settings.IncludeOwn = true;
-  settings.OuterIterations = 10;
-  settings.NormalIterations = 1;
-  settings.VertexIterations = 20;
-  settings.Vertices.Scheme = VertexScheme::IntegralFit;
-  const Figures figures = this->Denoise(this->Noisy, settings);
-  EXPECT_NEAR(figures.MeanAngle, 3.609, 0.02 * 3.609);
-  EXPECT_NEAR(figures.Volume, 0.99175, 1e-3);
 }
 
 // One engine, eleven estimators: an exact cut-off preserves edges, a monotone influence rounds

@@ -74,6 +74,32 @@ TEST(VertexUpdate, OneStepOfTheFan)
   }
 }
 
+TEST(VertexUpdate, EdgeWeightedStepOfATiltedFan)
+{
+  TriangleMesh mesh = Fan();
+  mesh.Positions[0] = Vec3(0.2, 0.1, 0.5);
+  VertexUpdateSettings settings;
+  settings.Scheme = VertexScheme::EdgeWeighted;
+  settings.Relaxation = 0.2;
+  Move(mesh, Up, settings);
+  EXPECT_LT((mesh.Positions[0] - Vec3(0.088612, 0.044451, 0.066667)).norm(), 1e-6);
+
+  // Without relaxation it is the mean over the faces.
+  settings.Relaxation = 0.0;
+  mesh = Fan();
+  Move(mesh, Up, settings);
+  EXPECT_NEAR(mesh.Positions[0].z(), 1.0 / 6.0, 1e-15);
+}
+
+TEST(VertexUpdate, InputPullGoesBackAlongTheNormal)
+{
+  VertexUpdateSettings settings;
+  settings.InputPull = 0.25;
+  TriangleMesh mesh = Fan();
+  Move(mesh, Up, settings);
+  EXPECT_NEAR(mesh.Positions[0].z(), 1.0 / 6.0 + 0.25 * (0.5 - 1.0 / 6.0), 1e-15);
+}
+
 TEST(VertexUpdate, IntegralFitDescendsItsEnergy)
 {
   EXPECT_NEAR(FitEnergy(Fan(), Up), 0.898979, 1e-6);
