@@ -8,26 +8,22 @@ surface (denoised.vtp, denoised.ply), a picture (denoising.png) and a table.
 """
 
 import argparse
-import math
-import os
-import sys
-import time
 
-from paraview.simple import (BilateralNormalFilter, OpenDataFile, PythonCalculator,
-                             RobustNormalFilter, SaveData, SurfaceComparison, SurfaceNoise)
+from paraview.simple import (BilateralNormalFilter, PythonCalculator, RobustNormalFilter, SaveData,
+                             SurfaceComparison)
 from paraview.servermanager import Fetch
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from sidebyside import Panel, save_picture
+from surfaces import (add_noise, add_noise_options, add_output_options, check_written, fail, number,
+                      open_surface, output_files, report, seconds_to_update)
 
 
 def parse_options():
     parser = argparse.ArgumentParser(prog="demo", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("surface", nargs="?", help="noisy surface: PLY OBJ STL OFF VTP VTK")
-    parser.add_argument("--truth", metavar="FILE", help="clean surface that gets noise")
-    parser.add_argument("--noise", type=float, default=0.3, metavar="SIZE",
-                        help="standard deviation of the noise in mean edge lengths (0.3)")
+    add_noise_options(parser)
     parser.add_argument("-m", "--method", choices=("bilateral", "robust"), default="bilateral")
     parser.add_argument("--norm", help="error norm of the robust method, such as Tukey")
     parser.add_argument("-r", "--range-scale", type=float, metavar="SCALE",
@@ -36,34 +32,13 @@ def parse_options():
     parser.add_argument("-v", "--vertex-iterations", type=int, metavar="N")
     parser.add_argument("--vertex-scheme", metavar="SCHEME",
                         help="how points move, such as \"Integral Fit\"")
-    parser.add_argument("--view", type=float, nargs=3, default=(1.0, -1.6, 0.9),
-                        metavar=("X", "Y", "Z"), help="direction from the model to the camera")
-    parser.add_argument("--up", type=float, nargs=3, default=(0.0, 0.0, 1.0),
-                        metavar=("X", "Y", "Z"), help="what is up in the picture")
-    parser.add_argument("-o", "--output", default="out", metavar="FOLDER")
+    add_output_options(parser)
     options = parser.parse_args()
     if bool(options.surface) == bool(options.truth):
         parser.error("give either a noisy surface or --truth FILE")
     if options.norm and options.method != "robust":
         parser.error("--norm belongs to --method robust")
     return options
-
-
-def open_surface(name):
-    """A reader for the file, if it holds polygons."""
-    if not os.path.isfile(name):
-        sys.exit("demo: there is no file {}".format(name))
-    try:
-        reader = OpenDataFile(name)
-        reader.UpdatePipeline()
-    except (AttributeError, RuntimeError):
-        sys.exit("demo: {} cannot be read as a surface".format(name))
-    data = Fetch(reader)
-    if not (data and data.IsA("vtkPolyData")):
-        sys.exit("demo: {} holds no surface".format(name))
-    if data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0:
-        sys.exit("demo: {} holds no polygons".format(name))
-    return reader
 
 
 def make_filter(options, noisy):
@@ -78,27 +53,7 @@ def make_filter(options, noisy):
         return denoise(Input=noisy, **{name: value for name, value in settings.items()
                                        if value is not None})
     except ValueError as error:
-        sys.exit("demo: {}".format(error))
-
-
-def seconds_to_update(proxy):
-    start = time.perf_counter()
-    proxy.UpdatePipeline()
-    seconds = time.perf_counter() - start
-    if proxy.GetDataInformation().GetNumberOfCells() == 0:
-        sys.exit("demo: the surface cannot be denoised")
-    return seconds
-
-
-def report(proxy, name):
-    """A value that the filter reports, after it was executed."""
-    proxy.UpdatePipeline()
-    proxy.UpdatePropertyInformation()
-    return proxy.GetProperty(name).GetData()
-
-
-def number(value, form):
-    return "-" if math.isnan(value) else form.format(value)  # volumes of open surfaces
+        fail(error)
 
 
 def print_table(head, rows):
@@ -112,7 +67,7 @@ def print_table(head, rows):
 def denoise_known(options, picture):
     """Noise on a clean model, and how much of it is left."""
     truth = open_surface(options.truth)
-    noisy = SurfaceNoise(Input=truth, Direction="Random", Size=options.noise)
+    noisy = add_noise(truth, options.noise)
     times = [("noisy", noisy, seconds_to_update(noisy))]
     denoised = make_filter(options, noisy)
     times.append(("denoised", denoised, seconds_to_update(denoised)))
@@ -164,25 +119,16 @@ def denoise_unknown(options, picture):
 
 def main():
     options = parse_options()
-    os.makedirs(options.output, exist_ok=True)
-
-    def output(name):
-        return os.path.join(options.output, name)
-
-    results = ("denoised.vtp", "denoised.ply", "denoising.png")
-    for name in results:
-        if os.path.exists(output(name)):
-            os.remove(output(name))  # of an earlier run
-
+    files = output_files(options.output, ("denoised.vtp", "denoised.ply", "denoising.png"))
     denoise = denoise_known if options.truth else denoise_unknown
-    denoised = denoise(options, output("denoising.png"))
+    try:
+        denoised = denoise(options, files[2])
+    except RuntimeError as error:
+        fail(error)
     # Not "Appended", the default: VTK 9.2 cannot read that with the expat of today's Debian 12.
-    SaveData(output("denoised.vtp"), denoised, DataMode="Binary")
-    SaveData(output("denoised.ply"), denoised)
-    for name in results:
-        if not os.path.isfile(output(name)):
-            sys.exit("demo: {} could not be written".format(output(name)))
-        print("-- wrote", output(name))
+    SaveData(files[0], denoised, DataMode="Binary")
+    SaveData(files[1], denoised)
+    check_written(files)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace SurfaceDenoising
 {
@@ -168,6 +169,80 @@ FeatureAgreement CompareFeatureEdges(const NeighborGraph& edgeAdjacentFaces,
       }
       return face;
     });
+}
+
+Buffer<unsigned char> FacesNearFeatures(const TriangleMesh& mesh, const CompressedRows& stars,
+  const NeighborGraph& edgeAdjacentFaces, const Buffer<Vec3>& normals, double angle, int rings,
+  Execution& execution)
+{
+  // Two faces that share an edge and this vertex share an edge that ends at this vertex.
+  auto endsFeature = [&](Index v)
+  {
+    for (const Index f : stars.Row(v))
+    {
+      for (const Index g : edgeAdjacentFaces.Row(f))
+      {
+        if (g > f && HasCorner(mesh.Triangles[g], v) &&
+          AngleBetween(normals[f], normals[g]) > angle)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  };
+  Buffer<unsigned char> near(mesh.NumberOfFaces(), 0);
+  auto touchesNearFace = [&](Index v)
+  {
+    const Span<Index> star = stars.Row(v);
+    return std::any_of(star.begin(), star.end(), [&](Index f) { return near[f] != 0; });
+  };
+  // Vertices look at faces and faces at vertices, so that nobody writes what another one reads.
+  Buffer<unsigned char> reached(mesh.NumberOfVertices());
+  std::ptrdiff_t found = -1;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    execution.For(reached.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t v = begin; v < end; ++v)
+        {
+          const Index vertex = static_cast<Index>(v);
+          reached[v] = ring == 0 ? endsFeature(vertex) : touchesNearFace(vertex);
+        }
+      });
+    execution.For(near.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t f = begin; f < end; ++f)
+        {
+          const Triangle& t = mesh.Triangles[f];
+          near[f] = reached[t[0]] || reached[t[1]] || reached[t[2]];
+        }
+      });
+    const std::ptrdiff_t before = std::exchange(found, std::count(near.begin(), near.end(), 1));
+    if (found == before) // further rings are empty
+    {
+      break;
+    }
+  }
+  return near;
+}
+
+DividedMean MeansByMark(const Buffer<double>& values, const Buffer<unsigned char>& marks,
+  Execution& execution)
+{
+  auto mean = [&](bool marked)
+  {
+    return OrderedSum(execution, values.size(), WeightedSum(),
+      [&](std::size_t i)
+      {
+        return std::isnan(values[i]) || (marks[i] != 0) != marked ? WeightedSum()
+                                                                  : WeightedSum{ values[i], 1.0 };
+      })
+      .Mean();
+  };
+  return { mean(true), mean(false) };
 }
 
 }

@@ -100,6 +100,26 @@ FeatureAgreement CompareFeatureEdges(const NeighborGraph& edgeAdjacentFaces,
   const Buffer<Vec3>& normals, const Buffer<Vec3>& referenceNormals, double angle,
   Execution& execution);
 
+/**
+ * 1 for every face within a number of rings of the feature edges, else 0. The first ring are the
+ * faces that share a vertex with a feature edge (as CompareFeatureEdges has it), each further ring
+ * the faces that share a vertex with one of the ring before. No ring is no face.
+ */
+Buffer<unsigned char> FacesNearFeatures(const TriangleMesh& mesh, const CompressedRows& stars,
+  const NeighborGraph& edgeAdjacentFaces, const Buffer<Vec3>& normals, double angle, int rings,
+  Execution& execution);
+
+/// The mean of some values by where they belong.
+struct DividedMean
+{
+  double Inside;  ///< mean where the mark is set; NaN without any
+  double Outside; ///< mean where it is not; NaN without any
+};
+
+/// marks has one entry per value; values that are not numbers are left out.
+DividedMean MeansByMark(const Buffer<double>& values, const Buffer<unsigned char>& marks,
+  Execution& execution);
+
 }
 
 #endif

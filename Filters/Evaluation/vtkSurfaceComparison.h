@@ -82,6 +82,16 @@ public:
 
   ///@{
   /**
+   * How many rings of faces around the feature edges of the reference are near features, at least
+   * 1. The first ring are the faces that share a point with a feature edge, each further ring the
+   * faces that share a point with one of the ring before. Default: 2.
+   */
+  vtkSetClampMacro(FeatureRings, int, 1, VTK_INT_MAX);
+  vtkGetMacro(FeatureRings, int);
+  ///@}
+
+  ///@{
+  /**
    * 1 if faces correspond by number, 0 if by nearest face. UncomparedFaces is the number of faces
    * without area, in the result or in the reference, whose normals could not be compared.
    */
@@ -166,6 +176,18 @@ public:
 
   ///@{
   /**
+   * Number of faces within FeatureRings of the feature edges of the reference, mean angle between
+   * corresponding normals over these faces, and mean over all others, in degrees. A mean over no
+   * faces is NaN. Points at the same place are different points. Defined for the same connectivity
+   * only.
+   */
+  vtkGetMacro(FeatureFaces, double);
+  vtkGetMacro(FeatureNormalAngle, double);
+  vtkGetMacro(SmoothNormalAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * Mean of circumradius / shortest edge over the faces: 0.577 for equilateral triangles, 0.707 for
    * right isosceles ones, larger for worse ones.
    */
@@ -182,6 +204,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double FeatureAngle = 70.0;
+  int FeatureRings = 2;
 
   double SameConnectivity;
   double UncomparedFaces;
@@ -208,6 +231,9 @@ protected:
   double FoundFeatureEdges;
   double MissedFeatureEdges;
   double InventedFeatureEdges;
+  double FeatureFaces;
+  double FeatureNormalAngle;
+  double SmoothNormalAngle;
   double TriangleQuality;
   double ReferenceTriangleQuality;
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 using namespace SurfaceDenoising;
 
@@ -30,6 +31,26 @@ TriangleMesh MakeBox(double x, double y, double z)
   {
     mesh.Triangles.push_back({ q[0], q[1], q[2] });
     mesh.Triangles.push_back({ q[0], q[2], q[3] });
+  }
+  return mesh;
+}
+
+/// A strip of squares in z = 0, two triangles each; folding turns those from the fold on up the z
+/// axis.
+TriangleMesh MakeFoldedStrip(int squares, int fold)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i <= squares; ++i)
+  {
+    const double x = std::min(i, fold);
+    const double z = std::max(i - fold, 0);
+    mesh.Positions.push_back(Vec3(x, 0.0, z));
+    mesh.Positions.push_back(Vec3(x, 1.0, z));
+  }
+  for (Index a = 0; a < 2 * static_cast<Index>(squares); a += 2)
+  {
+    mesh.Triangles.push_back({ a, a + 2, a + 3 });
+    mesh.Triangles.push_back({ a, a + 3, a + 1 });
   }
   return mesh;
 }
@@ -176,24 +197,7 @@ TEST(Metrics, TriangleQuality)
 
 TEST(Metrics, CompareFeatureEdges)
 {
-  // A strip of three squares in z = 0; folding moves the squares from the fold on up the z axis.
-  auto folded = [](int fold)
-  {
-    TriangleMesh mesh;
-    for (int i = 0; i < 4; ++i)
-    {
-      const double x = std::min(i, fold);
-      const double z = std::max(i - fold, 0);
-      mesh.Positions.push_back(Vec3(x, 0.0, z));
-      mesh.Positions.push_back(Vec3(x, 1.0, z));
-    }
-    for (Index a = 0; a < 6; a += 2)
-    {
-      mesh.Triangles.push_back({ a, a + 2, a + 3 });
-      mesh.Triangles.push_back({ a, a + 3, a + 1 });
-    }
-    return mesh;
-  };
+  auto folded = [](int fold) { return MakeFoldedStrip(3, fold); };
   const TriangleMesh flat = folded(3);
   const NeighborGraph edges = EdgeAdjacentFaces(flat, VertexStars(flat), Serial);
   auto compare = [&](int fold, int referenceFold, double angle)
@@ -214,4 +218,54 @@ TEST(Metrics, CompareFeatureEdges)
   expect(compare(2, 1, 70.0), 1, 0, 1, 1);
   expect(compare(1, 3, 70.0), 0, 0, 0, 1);
   expect(compare(1, 1, 91.0), 0, 0, 0, 0);
+}
+
+TEST(Metrics, FacesNearFeatures)
+{
+  auto near = [](const TriangleMesh& mesh, double angle, int rings)
+  {
+    const CompressedRows stars = VertexStars(mesh);
+    const Buffer<unsigned char> marks = FacesNearFeatures(mesh, stars,
+      EdgeAdjacentFaces(mesh, stars, Serial), Geometry(mesh).Normals, angle, rings, Serial);
+    std::string text;
+    for (const unsigned char mark : marks)
+    {
+      text += mark ? '+' : '.';
+    }
+    return text;
+  };
+  // Every ring is one more square on either side of the fold at 3.
+  const TriangleMesh strip = MakeFoldedStrip(8, 3);
+  EXPECT_EQ(near(strip, 70.0, 0), "................");
+  EXPECT_EQ(near(strip, 70.0, 1), "....++++........");
+  EXPECT_EQ(near(strip, 70.0, 2), "..++++++++......");
+  EXPECT_EQ(near(strip, 70.0, 3), "++++++++++++....");
+  EXPECT_EQ(near(strip, 70.0, 4), "++++++++++++++..");
+  EXPECT_EQ(near(strip, 70.0, std::numeric_limits<int>::max()), "++++++++++++++++");
+  EXPECT_EQ(near(strip, 91.0, 2), "................");
+  EXPECT_EQ(near(MakeFoldedStrip(4, 4), 70.0, 9), "........") << "a boundary is no feature";
+  EXPECT_EQ(near(MakeBox(1.0, 1.0, 1.0), 70.0, 1), "++++++++++++");
+  EXPECT_EQ(near(TriangleMesh(), 70.0, 2), "");
+
+  // A face without area is no end of a feature, but is near one if it touches one.
+  TriangleMesh sliver = MakeFoldedStrip(2, 1);
+  sliver.Triangles.push_back({ 2, 3, 3 });
+  sliver.Triangles.push_back({ 4, 5, 5 });
+  EXPECT_EQ(near(sliver, 70.0, 1), "+++++.");
+}
+
+TEST(Metrics, MeansByMark)
+{
+  auto marks = [](std::initializer_list<unsigned char> list)
+  { return Buffer<unsigned char>(list.begin(), list.end()); };
+  const Buffer<double> values = Values({ 1.0, NotANumber, 3.0, 8.0, NotANumber });
+  DividedMean mean = MeansByMark(values, marks({ 1, 1, 1, 0, 0 }), Serial);
+  EXPECT_DOUBLE_EQ(mean.Inside, 2.0);
+  EXPECT_DOUBLE_EQ(mean.Outside, 8.0);
+  mean = MeansByMark(values, marks({ 0, 1, 0, 0, 1 }), Serial);
+  EXPECT_TRUE(std::isnan(mean.Inside));
+  EXPECT_DOUBLE_EQ(mean.Outside, 4.0);
+  mean = MeansByMark(values, marks({ 1, 1, 1, 1, 1 }), Serial);
+  EXPECT_DOUBLE_EQ(mean.Inside, 4.0);
+  EXPECT_TRUE(std::isnan(mean.Outside));
 }

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the examples share: files in, files out, noise, and what the filters say of their work."""
+
+import math
+import os
+import sys
+import time
+
+from paraview.servermanager import Fetch
+from paraview.simple import OpenDataFile, SurfaceNoise
+
+
+def program():
+    return os.path.splitext(os.path.basename(sys.argv[0]))[0]
+
+
+def fail(message):
+    sys.exit("{}: {}".format(program(), message))
+
+
+def add_noise_options(parser):
+    parser.add_argument("--truth", metavar="FILE", help="clean surface that gets noise")
+    parser.add_argument("--noise", type=float, default=0.3, metavar="SIZE",
+                        help="standard deviation of the noise in mean edge lengths (0.3)")
+
+
+def add_output_options(parser):
+    parser.add_argument("--view", type=float, nargs=3, default=(1.0, -1.6, 0.9),
+                        metavar=("X", "Y", "Z"), help="direction from the model to the camera")
+    parser.add_argument("--up", type=float, nargs=3, default=(0.0, 0.0, 1.0),
+                        metavar=("X", "Y", "Z"), help="what is up in the picture")
+    parser.add_argument("-o", "--output", default="out", metavar="FOLDER")
+
+
+def open_surface(name):
+    """A reader for the file, if it holds polygons."""
+    if not os.path.isfile(name):
+        fail("there is no file {}".format(name))
+    try:
+        reader = OpenDataFile(name)
+        reader.UpdatePipeline()
+    except (AttributeError, RuntimeError):
+        fail("{} cannot be read as a surface".format(name))
+    data = Fetch(reader)
+    if not (data and data.IsA("vtkPolyData")):
+        fail("{} holds no surface".format(name))
+    if data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0:
+        fail("{} holds no polygons".format(name))
+    return reader
+
+
+def add_noise(truth, size):
+    return SurfaceNoise(Input=truth, Direction="Random", Size=size)
+
+
+def seconds_to_update(proxy):
+    """How long the filter takes; an error if nothing comes out of it."""
+    start = time.perf_counter()
+    proxy.UpdatePipeline()
+    seconds = time.perf_counter() - start
+    if proxy.GetDataInformation().GetNumberOfCells() == 0:
+        raise RuntimeError("the surface cannot be denoised")
+    return seconds
+
+
+def report(proxy, name):
+    """A value that the filter reports, after it was executed."""
+    proxy.UpdatePipeline()
+    proxy.UpdatePropertyInformation()
+    return proxy.GetProperty(name).GetData()
+
+
+def number(value, form):
+    return "-" if math.isnan(value) else form.format(value)  # volumes of open surfaces
+
+
+def output_files(folder, names):
+    """Where the files go, without those of an earlier run."""
+    try:
+        os.makedirs(folder, exist_ok=True)
+        files = [os.path.join(folder, name) for name in names]
+        for file in files:
+            if os.path.exists(file):
+                os.remove(file)
+    except OSError as error:
+        fail("cannot write to {}: {}".format(folder, error.strerror))
+    return files
+
+
+def check_written(files):
+    for file in files:
+        if not os.path.isfile(file):
+            fail("{} could not be written".format(file))
+        print("-- wrote", file)

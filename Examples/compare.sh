@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Denoises a surface with every method of the ParaView plugin, on a bare Debian 12 (as root or with
+# sudo), and makes a table and a picture of the results:
+#
+#   bash Examples/compare.sh                               a real model that gets noise
+#   bash Examples/compare.sh scan.ply                      your own: PLY OBJ STL OFF VTP VTK
+#   bash Examples/compare.sh noisy.ply truth.ply --parameters cad
+#
+# Options are those of Examples/Python/compare.py; --help lists them. What is missing is installed,
+# and the plugin is built once, in build-paraview. Results go to $OUT, by default ./out.
+
+# shellcheck source=Examples/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh" || exit 1
+
+surfaces=()
+while [ $# -gt 0 ] && [ ${#surfaces[@]} -lt 2 ] && [ "${1#-}" = "$1" ]; do
+  [ -f "$1" ] || fail "there is no file $1"
+  surfaces+=("$1")
+  shift
+done
+prepare
+
+if [ ${#surfaces[@]} -gt 0 ]; then
+  arguments=("${surfaces[@]}")
+else
+  fetch_fandisk || fail "cannot get the model"
+  arguments=(--truth "$fandisk" "${fandisk_view[@]}")
+fi
+
+echo "-- comparing methods on ${surfaces[0]:-$fandisk}"
+run_script compare.py "${arguments[@]}" "$@" || exit 1
