@@ -18,8 +18,7 @@ FAMILIES = ("default", "cad", "organic")
 METHODS = [
     Method("RobustNormalFilter", "Sun 2007", "Sun, Rosin, Martin, Langbein 2007", {
         # With Tukey's norm the weight is the square of (n . n') - T at the threshold T = 0.5.
-        "default": {"Norm": "Tukey", "ScaleSource": "Given", "RangeScale": 1.0,
-                    "SpatialScale": 0.0, "AreaWeighting": 0},
+        "default": {"Preset": "Thresholded Cosine"},
     }),
     Method("BilateralNormalFilter", "Bilateral normals", "Zheng, Fu, Au, Tai 2011", {
         "default": {},

@@ -10,6 +10,18 @@
 namespace SurfaceDenoising
 {
 
+MeshFacts FactsOf(const TriangleMesh& mesh, const EdgeCensus& edges, Execution& execution)
+{
+  MeshFacts facts;
+  facts.MeanEdgeLength = edges.MeanEdgeLength;
+  facts.BoundaryEdges = edges.NumberOfBoundaryEdges;
+  facts.NonManifoldEdges = edges.NumberOfNonManifoldEdges;
+  facts.DegenerateFaces =
+    OrderedSum(execution, mesh.NumberOfFaces(), std::size_t(0), [&](std::size_t f)
+      { return std::size_t(IsDegenerate(mesh.DoubleAreaVector(f), edges.MeanEdgeLength)); });
+  return facts;
+}
+
 bool PreparedMesh::Prepare(Execution& execution)
 {
   if (IsScattered(this->Given, execution))
@@ -38,15 +50,10 @@ bool PreparedMesh::Prepare(Execution& execution)
     this->Turned = OrientFaces(mesh, this->VertexFaces);
   }
 
-  this->Found.MeanEdgeLength = this->Census.MeanEdgeLength;
-  this->Found.BoundaryEdges = this->Census.NumberOfBoundaryEdges;
-  this->Found.NonManifoldEdges = this->Census.NumberOfNonManifoldEdges;
+  this->Found = FactsOf(mesh, this->Census, execution);
   this->Found.SeamVertices = this->Seams.size();
   this->Found.TurnedFaces = static_cast<std::size_t>(
     std::count(this->Turned.begin(), this->Turned.end(), static_cast<unsigned char>(1)));
-  this->Found.DegenerateFaces =
-    OrderedSum(execution, mesh.NumberOfFaces(), std::size_t(0), [&](std::size_t f)
-      { return std::size_t(IsDegenerate(mesh.DoubleAreaVector(f), this->Found.MeanEdgeLength)); });
   return execution.Proceed(0.03);
 }
 

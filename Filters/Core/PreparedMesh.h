@@ -27,6 +27,9 @@ struct MeshFacts
   std::size_t TurnedFaces = 0;  ///< oriented against their neighbours in the input
 };
 
+/// Of a mesh without repairs.
+MeshFacts FactsOf(const TriangleMesh& mesh, const EdgeCensus& edges, Execution& execution);
+
 /**
  * Takes a mesh over for the work: closes seams, turns faces that run against their neighbours, and
  * renumbers meshes whose neighbours are scattered over memory. Finish undoes all of it, so that the

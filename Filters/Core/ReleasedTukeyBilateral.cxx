@@ -101,10 +101,11 @@ Vec3 Moved(const TriangleMesh& mesh, Span<Index> star, Index v, const Buffer<Vec
 }
 
 bool DenoiseAsReleased(TriangleMesh& mesh, Buffer<Vec3>& normals,
-  const ReleasedTukeyBilateralSettings& settings, Execution& execution)
+  const ReleasedTukeyBilateralSettings& settings, MeshFacts& facts, Execution& execution)
 {
   const CompressedRows stars = VertexStars(mesh);
-  const double scale = TakeEdgeCensus(mesh, stars, execution).MeanEdgeLength;
+  facts = FactsOf(mesh, TakeEdgeCensus(mesh, stars, execution), execution);
+  const double scale = facts.MeanEdgeLength;
   const NeighborGraph adjacent = EdgeAdjacentFaces(mesh, stars, execution);
   FaceGeometry geometry;
   ComputeFaceGeometry(mesh, scale, geometry, execution);

@@ -21,7 +21,7 @@
 #ifndef SurfaceDenoising_ReleasedTukeyBilateral_h
 #define SurfaceDenoising_ReleasedTukeyBilateral_h
 
-#include "TriangleMesh.h"
+#include "PreparedMesh.h"
 
 namespace SurfaceDenoising
 {
@@ -35,10 +35,10 @@ struct ReleasedTukeyBilateralSettings
 
 /**
  * Moves the vertices; normals are those that the last iteration filtered, or those of the faces
- * without one. Returns false if the execution asked to stop.
+ * without one. facts are those of the mesh as it came: nothing is repaired. Returns false if the execution asked to stop.
  */
 bool DenoiseAsReleased(TriangleMesh& mesh, Buffer<Vec3>& normals,
-  const ReleasedTukeyBilateralSettings& settings, Execution& execution);
+  const ReleasedTukeyBilateralSettings& settings, MeshFacts& facts, Execution& execution);
 
 }
 

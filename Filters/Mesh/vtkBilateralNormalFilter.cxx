@@ -3,30 +3,49 @@
 
 #include "vtkBilateralNormalFilter.h"
 
-#include "MeshDenoising.h"
+#include "Methods.h"
 
 #include "vtkObjectFactory.h"
 
+namespace sd = SurfaceDenoising;
+
 vtkStandardNewMacro(vtkBilateralNormalFilter);
 
-vtkBilateralNormalFilter::vtkBilateralNormalFilter() = default;
+vtkBilateralNormalFilter::vtkBilateralNormalFilter()
+  : vtkFaceNormalFilter(sd::Method::BilateralNormal)
+{
+  const sd::MeshDenoisingSettings& defaults = this->Defaults();
+  this->RangeScale = this->RangeScaleOf(defaults.NormScale);
+  this->SpatialScale = defaults.SpatialScale;
+  this->Neighborhood = static_cast<int>(defaults.Neighborhood);
+  this->Fidelity = defaults.Global.Fidelity;
+  this->AreaEnergy = defaults.Global.AreaEnergy;
+}
+
 vtkBilateralNormalFilter::~vtkBilateralNormalFilter() = default;
 
-void vtkBilateralNormalFilter::Configure(SurfaceDenoising::MeshDenoisingSettings& settings)
+void vtkBilateralNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.Norm = SurfaceDenoising::NormId::Gaussian;
-  settings.NormScale = this->RangeScale;
-  settings.Argument = SurfaceDenoising::NormalArgument::Chord;
+  if (this->Scheme == GLOBAL)
+  {
+    static_cast<sd::FaceFilterSettings&>(settings) =
+      sd::SettingsOf(sd::Method::GlobalBilateralNormal);
+    settings.Global.Fidelity = this->Fidelity;
+    settings.Global.AreaEnergy = this->AreaEnergy;
+  }
+  settings.NormScale = this->NormScaleOf(this->RangeScale);
   settings.SpatialScale = this->SpatialScale;
-  settings.IncludeOwn = false;
-  settings.Neighborhood = static_cast<SurfaceDenoising::FaceNeighborhood>(this->Neighborhood);
+  settings.Neighborhood = static_cast<sd::FaceNeighborhood>(this->Neighborhood);
 }
 
 void vtkBilateralNormalFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scheme: " << this->Scheme << "\n";
   os << indent << "RangeScale: " << this->RangeScale << "\n";
   os << indent << "SpatialScale: " << this->SpatialScale << "\n";
   os << indent << "Neighborhood: " << this->Neighborhood << "\n";
+  os << indent << "Fidelity: " << this->Fidelity << "\n";
+  os << indent << "AreaEnergy: " << this->AreaEnergy << "\n";
 }

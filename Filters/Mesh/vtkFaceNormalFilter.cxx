@@ -3,20 +3,61 @@
 
 #include "vtkFaceNormalFilter.h"
 
-#include "MeshDenoising.h"
+#include "Methods.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 
-static_assert(static_cast<int>(SurfaceDenoising::FaceNeighborhood::Radius) ==
-    static_cast<int>(vtkFaceNormalFilter::RADIUS),
+#include <cmath>
+
+namespace sd = SurfaceDenoising;
+
+static_assert(static_cast<int>(sd::FaceNeighborhood::EdgeRadius) ==
+    static_cast<int>(vtkFaceNormalFilter::EDGE_RADIUS),
   "The neighbourhoods of the filter are those of the core.");
 
-vtkFaceNormalFilter::vtkFaceNormalFilter() = default;
+vtkFaceNormalFilter::vtkFaceNormalFilter(sd::Method method)
+  : Row(method)
+{
+  this->TakeSchedule(this->Defaults());
+}
+
 vtkFaceNormalFilter::~vtkFaceNormalFilter() = default;
 
-void vtkFaceNormalFilter::Configure(SurfaceDenoising::MeshDenoisingSettings& settings)
+const sd::MeshDenoisingSettings& vtkFaceNormalFilter::Defaults() const
 {
+  return sd::SettingsOf(this->Row);
+}
+
+double vtkFaceNormalFilter::RangeUnit() const
+{
+  return 1.0;
+}
+
+double vtkFaceNormalFilter::NormScaleOf(double rangeScale) const
+{
+  return rangeScale * this->RangeUnit();
+}
+
+double vtkFaceNormalFilter::RangeScaleOf(double normScale) const
+{
+  return std::round(normScale / this->RangeUnit() * 1e9) / 1e9;
+}
+
+void vtkFaceNormalFilter::TakeSchedule(const sd::MeshDenoisingSettings& settings)
+{
+  this->NumberOfOuterIterations = settings.OuterIterations;
+  this->NumberOfNormalIterations = settings.NormalIterations;
+  this->NumberOfVertexIterations = settings.VertexIterations;
+  this->VertexScheme = static_cast<int>(settings.Vertices.Scheme);
+  this->Relaxation = settings.Vertices.Relaxation;
+  this->MaximumDisplacement = settings.Vertices.MaximumDisplacement;
+}
+
+void vtkFaceNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
+{
+  static_cast<sd::FaceFilterSettings&>(settings) = this->Defaults();
+  settings.OuterIterations = this->NumberOfOuterIterations;
   settings.NormalIterations = this->NumberOfNormalIterations;
   if (!this->UpdateVertices)
   {
@@ -35,16 +76,17 @@ vtkDataArray* vtkFaceNormalFilter::FindStartNormals(vtkInformationVector** input
   return needed ? this->GetInputArrayToProcess(0, inputVector) : nullptr;
 }
 
-void vtkFaceNormalFilter::TakeReport(const SurfaceDenoising::MeshDenoisingReport& report)
+void vtkFaceNormalFilter::TakeReport(const sd::MeshDenoisingReport& report)
 {
   this->Superclass::TakeReport(report);
-  this->UsedRangeScale = report.NormScale;
+  this->UsedRangeScale = report.NormScale / this->RangeUnit();
   this->NumberOfUnfilteredFaces = static_cast<vtkIdType>(report.UnfilteredFaces);
 }
 
 void vtkFaceNormalFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfOuterIterations: " << this->NumberOfOuterIterations << "\n";
   os << indent << "NumberOfNormalIterations: " << this->NumberOfNormalIterations << "\n";
   os << indent << "UpdateVertices: " << this->UpdateVertices << "\n";
   os << indent << "UsedRangeScale: " << this->UsedRangeScale << "\n";

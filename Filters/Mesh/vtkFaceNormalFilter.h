@@ -5,7 +5,7 @@
  * @class   vtkFaceNormalFilter
  * @brief   base of all methods that filter face normals
  *
- * Every method of this family replaces the normal of a face by a robust mean of the normals around
+ * Most methods of this family replace the normal of a face by a robust mean of the normals around
  * it,
  *
  *   n_i <- normalise( sum_j  A_j f(|c_i - c_j|) g(x_ij) n_j ),
@@ -29,6 +29,11 @@
 
 #include "vtkNormalFittingFilter.h"
 
+namespace SurfaceDenoising
+{
+enum class Method : int;
+}
+
 class VTKSURFACEDENOISINGMESH_EXPORT vtkFaceNormalFilter : public vtkNormalFittingFilter
 {
 public:
@@ -40,12 +45,33 @@ public:
   {
     EDGE_ADJACENT = 0,  ///< those that share an edge, 3 on a closed mesh
     VERTEX_SHARING = 1, ///< those that share a point, about 12
-    RADIUS = 2          ///< connected faces with centroids within a radius
+    RADIUS = 2,         ///< faces with centroids within a radius, connected across points there
+    EDGE_RADIUS = 3     ///< faces with centroids within a radius, connected across edges there
+  };
+
+  /// Which normals are averaged when normal iterations follow one another.
+  enum DataSources
+  {
+    PREVIOUS = 0, ///< those of the iteration before, as published filters do
+    ORIGINAL =
+      1 ///< those the iterations started from; only the centre moves: the M-estimate itself
   };
 
   ///@{
-  /// Number of normal iterations per outer iteration. Default 20: more noise needs more, 0 does
-  /// nothing.
+  /**
+   * How often the stages take turns: every outer iteration looks at the surface anew, filters the
+   * normals, and moves the points. The default is that of the paper of a method: 1 is the schedule
+   * "normals first". More remove more noise; 0 does nothing.
+   */
+  vtkSetClampMacro(NumberOfOuterIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfOuterIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of normal iterations per outer iteration. The default is that of the paper of a method,
+   * 20 for schedules "normals first": more noise needs more, 0 filters nothing.
+   */
   vtkSetClampMacro(NumberOfNormalIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfNormalIterations, int);
   ///@}
@@ -68,14 +94,31 @@ public:
   ///@}
 
 protected:
-  vtkFaceNormalFilter();
+  /// Defaults are those of a method in the table of methods.
+  explicit vtkFaceNormalFilter(SurfaceDenoising::Method method);
   ~vtkFaceNormalFilter() override;
 
   void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) override;
   vtkDataArray* FindStartNormals(vtkInformationVector** inputVector, bool& needed) override;
   void TakeReport(const SurfaceDenoising::MeshDenoisingReport& report) override;
 
-  int NumberOfNormalIterations = 20;
+  /// The settings of the method.
+  const SurfaceDenoising::MeshDenoisingSettings& Defaults() const;
+
+  /// What a range scale of the class is multiplied by to become the scale of the norm.
+  virtual double RangeUnit() const;
+
+  ///@{
+  /// From one to the other. A range scale is rounded to what people write.
+  double NormScaleOf(double rangeScale) const;
+  double RangeScaleOf(double normScale) const;
+  ///@}
+
+  /// Sets iterations, vertex scheme and limits to those of the settings.
+  void TakeSchedule(const SurfaceDenoising::MeshDenoisingSettings& settings);
+
+  int NumberOfOuterIterations;
+  int NumberOfNormalIterations;
   bool UpdateVertices = true;
   double UsedRangeScale = 0.0;
   vtkIdType NumberOfUnfilteredFaces = 0;
@@ -83,6 +126,8 @@ protected:
 private:
   vtkFaceNormalFilter(const vtkFaceNormalFilter&) = delete;
   void operator=(const vtkFaceNormalFilter&) = delete;
+
+  const SurfaceDenoising::Method Row;
 };
 
 #endif

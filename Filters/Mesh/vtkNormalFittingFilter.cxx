@@ -8,8 +8,8 @@
 
 namespace sd = SurfaceDenoising;
 
-static_assert(static_cast<int>(sd::VertexScheme::IntegralFit) ==
-    static_cast<int>(vtkNormalFittingFilter::INTEGRAL_FIT),
+static_assert(static_cast<int>(sd::VertexScheme::EdgeWeighted) ==
+    static_cast<int>(vtkNormalFittingFilter::EDGE_WEIGHTED),
   "The vertex schemes of the filter are those of the core.");
 static_assert(static_cast<int>(sd::BoundaryHandling::Free) ==
     static_cast<int>(vtkNormalFittingFilter::FREE),
@@ -38,6 +38,7 @@ vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork&
   sd::MeshDenoisingSettings settings;
   settings.VertexIterations = this->NumberOfVertexIterations;
   settings.Vertices.Scheme = static_cast<sd::VertexScheme>(this->VertexScheme);
+  settings.Vertices.Relaxation = this->Relaxation;
   settings.Vertices.Boundary = static_cast<sd::BoundaryHandling>(this->BoundaryHandling);
   settings.Vertices.PreventFlips = this->PreventFlips;
   settings.Vertices.MaximumDisplacement = this->MaximumDisplacement;
@@ -60,6 +61,7 @@ vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork&
   work.Add("Mean Centroid Distance", report.MeanCentroidDistance);
   work.Add("Range Scale", report.NormScale);
   work.Add("Unfiltered Faces", report.UnfilteredFaces);
+  work.Add("Solver Iterations", report.SolverIterations);
   work.Add("Guarded Points", report.GuardedVertices);
   work.Add("Seconds Of Setup", report.SetupSeconds);
   work.Add("Seconds Of Normal Filtering", report.NormalSeconds);
@@ -84,6 +86,7 @@ void vtkNormalFittingFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfVertexIterations: " << this->NumberOfVertexIterations << "\n";
   os << indent << "VertexScheme: " << this->VertexScheme << "\n";
+  os << indent << "Relaxation: " << this->Relaxation << "\n";
   os << indent << "BoundaryHandling: " << this->BoundaryHandling << "\n";
   os << indent << "PreventFlips: " << this->PreventFlips << "\n";
   os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";

@@ -3,14 +3,16 @@
 
 /**
  * @class   vtkRobustNormalFilter
- * @brief   composes a normal filter from error norm, argument, spatial kernel and neighbourhood
+ * @brief   composes a normal filter from error norm, argument, kernel, neighbourhood and operator
  *
- *   n_i <- normalise( sum_{j in N(i)}  a_j  f(|c_i - c_j|)  g(x_ij)  n_j )
+ *   w_ij = a_j  f(|c_i - c_j|)  g(x_ij),   for example  n_i <- normalise( sum_{j in N(i)} w_ij n_j )
  *
- * Every part can be chosen: the weight function g of any error norm; what it is applied to, x_ij; a
- * spatial kernel f; face areas a_j; the neighbourhood N(i), with or without the face itself; the
- * scale of the norm, given or from the data; and the schedule. Most published methods are such
- * compositions, and most compositions have never been tried.
+ * Every part can be chosen: the weight function g of any error norm; what it is applied to, x_ij; the
+ * guidance that x_ij looks at; a spatial kernel f; face weights a_j; the neighbourhood N(i), with or
+ * without the face itself; the scale of the norm, given or from the data; whether the weights
+ * average, diffuse or make one linear system for all normals; which normals are averaged; and how
+ * points move. Most published methods are such compositions (see Preset), and most compositions have
+ * never been tried.
  *
  * What to expect of the norms (see the survey that vtkFaceNormalFilter cites): norms with a cut-off
  * (truncated L2 and L1, Tukey) leave an edge alone once its angle is beyond their scale; a Gaussian
@@ -45,13 +47,65 @@ public:
     CENTIN = 9        ///< 1 up to s, then s^2 / ((x - s)^2 + s^2)
   };
 
-  /// What the norm is applied to.
+  /// What the norm is applied to. Curvatures are relative to CurvatureUnit.
   enum Arguments
   {
-    CHORD = 0, ///< |n_i - n_j|, in [0, 2]
-    ANGLE = 1, ///< angle between n_i and n_j in degrees
-    DIRECTIONAL_CURVATURE =
-      2 ///< angle per centroid distance, in degrees per mean distance of adjacent centroids
+    CHORD = 0,                 ///< |n_i - n_j|, in [0, 2]
+    ANGLE = 1,                 ///< angle between n_i and n_j in degrees
+    DIRECTIONAL_CURVATURE = 2, ///< angle per centroid distance, in degrees per unit
+    NORMAL_GRADIENT = 3,       ///< |n_i - n_j| per centroid distance, per unit
+    FACE_CURVATURE = 4 ///< mean curvature of each face, times unit; a pair has the mean weight of its
+                       ///< faces
+  };
+
+  /// The length that curvatures are relative to.
+  enum CurvatureUnits
+  {
+    CENTROID_DISTANCE = 0, ///< mean distance of adjacent centroids
+    EDGE_LENGTH = 1        ///< mean edge length
+  };
+
+  /// What the norm looks at.
+  enum Guidances
+  {
+    NO_GUIDANCE = 0, ///< the normals themselves
+    PATCH = 1,       ///< mean normals of the most consistent patches, see vtkGuidedNormalFilter
+    VECTOR_MEDIAN = 2 ///< from the median around the face to the normals around it, see
+                      ///< vtkFuzzyVectorMedianNormalFilter
+  };
+
+  /// What is made of the weights.
+  enum Operators
+  {
+    AVERAGE = 0,     ///< n_i <- normalise( sum_j w_ij n_j )
+    DIFFUSION = 1,   ///< n_i <- normalise( n_i + t sum_j w_ij (n_j - n_i) / sum_j a_j f_ij )
+    GLOBAL_SOLVE = 2 ///< all normals at once, see vtkBilateralNormalFilter
+  };
+
+  /// The fixed weight a_j of a neighbour.
+  enum FaceWeightings
+  {
+    UNIFORM = 0, ///< 1
+    AREA = 1,    ///< its area
+    COUPLING = 2 ///< length of the common edge over distance of the centroids; no edge, no weight
+  };
+
+  /// Published methods as compositions.
+  enum Presets
+  {
+    CUSTOM = 0,
+    NORMAL_DIFFUSION = 1,           ///< Belyaev, Ohtake 2001
+    MEAN_NORMAL = 2,                ///< Yagou, Ohtake, Belyaev 2002
+    HUBER_NORMAL = 3,               ///< Huber 1981
+    FUZZY_VECTOR_MEDIAN = 4,        ///< Shen, Barner 2004
+    CURVATURE_NORMAL_DIFFUSION = 5, ///< Tasdizen, Whitaker, Burchard, Osher 2002
+    GEOMETRIC_FIDELITY = 6,         ///< Centin, Signoroni 2018
+    BILATERAL_NORMAL = 7,           ///< Zheng, Fu, Au, Tai 2011, local
+    GLOBAL_BILATERAL_NORMAL = 8,    ///< Zheng, Fu, Au, Tai 2011, global
+    GUIDED_NORMAL = 9,              ///< Zhang, Deng, Zhang, Bouaziz, Liu 2015
+    TUKEY_BILATERAL_NORMAL = 10,    ///< Yadav, Reitebuch, Polthier 2018
+    THRESHOLDED_COSINE = 11 ///< Sun, Rosin, Martin, Langbein 2007: the weight max(0, n_i . n_j - T)^2
+                            ///< is Tukey's with scale sqrt(2 (1 - T)); here T = 0.5
   };
 
   /// Where the range scale comes from.
@@ -65,21 +119,26 @@ public:
     DATA_HALF_NORMAL = 3 ///< 1.4826 median x
   };
 
-  /// Which normals are averaged when normal iterations follow one another.
-  enum DataSources
-  {
-    PREVIOUS = 0, ///< those of the iteration before, as published filters do
-    ORIGINAL =
-      1 ///< those the iterations started from; only the centre moves: the M-estimate itself
-  };
+  ///@{
+  /**
+   * A published method with the numbers of its paper, one of Presets. Unless it is CUSTOM, the
+   * default, it takes the place of all settings of this class, of the iterations, of VertexScheme,
+   * Relaxation and MaximumDisplacement.
+   */
+  vtkSetClampMacro(Preset, int, CUSTOM, THRESHOLDED_COSINE);
+  vtkGetMacro(Preset, int);
+  ///@}
 
-  /// Order of the stages.
-  enum Schedules
-  {
-    NORMALS_FIRST = 0, ///< all normal iterations, then all vertex iterations
-    ALTERNATING =
-      1 ///< both, with their counts, in every outer iteration; geometry is renewed in between
-  };
+  /// The number of presets, CUSTOM among them, and their names in the order of Presets; null for
+  /// another number.
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int preset);
+
+  /**
+   * Gives all settings that a preset would take the place of its values, and makes Preset CUSTOM: a
+   * published method to vary. Other numbers do nothing.
+   */
+  void CopyPreset(int preset);
 
   ///@{
   /// The error norm, one of Norms. Default GAUSSIAN.
@@ -93,11 +152,68 @@ public:
 
   ///@{
   /// What the norm is applied to, one of Arguments. Default CHORD.
-  vtkSetClampMacro(Argument, int, CHORD, DIRECTIONAL_CURVATURE);
+  vtkSetClampMacro(Argument, int, CHORD, FACE_CURVATURE);
   vtkGetMacro(Argument, int);
   void SetArgumentToChord() { this->SetArgument(CHORD); }
   void SetArgumentToAngle() { this->SetArgument(ANGLE); }
   void SetArgumentToDirectionalCurvature() { this->SetArgument(DIRECTIONAL_CURVATURE); }
+  void SetArgumentToNormalGradient() { this->SetArgument(NORMAL_GRADIENT); }
+  void SetArgumentToFaceCurvature() { this->SetArgument(FACE_CURVATURE); }
+  ///@}
+
+  ///@{
+  /// What curvatures are relative to, one of CurvatureUnits. Default CENTROID_DISTANCE.
+  vtkSetClampMacro(CurvatureUnit, int, CENTROID_DISTANCE, EDGE_LENGTH);
+  vtkGetMacro(CurvatureUnit, int);
+  void SetCurvatureUnitToCentroidDistance() { this->SetCurvatureUnit(CENTROID_DISTANCE); }
+  void SetCurvatureUnitToEdgeLength() { this->SetCurvatureUnit(EDGE_LENGTH); }
+  ///@}
+
+  ///@{
+  /// What the norm looks at, one of Guidances. Default NO_GUIDANCE.
+  vtkSetClampMacro(Guidance, int, NO_GUIDANCE, VECTOR_MEDIAN);
+  vtkGetMacro(Guidance, int);
+  void SetGuidanceToNoGuidance() { this->SetGuidance(NO_GUIDANCE); }
+  void SetGuidanceToPatch() { this->SetGuidance(PATCH); }
+  void SetGuidanceToVectorMedian() { this->SetGuidance(VECTOR_MEDIAN); }
+  ///@}
+
+  ///@{
+  /**
+   * What is made of the weights, one of Operators. Default AVERAGE. An average with FACE_CURVATURE
+   * and without the face itself is an error: the weight of the face would cancel.
+   */
+  vtkSetClampMacro(Operator, int, AVERAGE, GLOBAL_SOLVE);
+  vtkGetMacro(Operator, int);
+  void SetOperatorToAverage() { this->SetOperator(AVERAGE); }
+  void SetOperatorToDiffusion() { this->SetOperator(DIFFUSION); }
+  void SetOperatorToGlobalSolve() { this->SetOperator(GLOBAL_SOLVE); }
+  ///@}
+
+  ///@{
+  /// The length t of a step of DIFFUSION, in [0, 1]. Default 0.5.
+  vtkSetClampMacro(StepLength, double, 0.0, 1.0);
+  vtkGetMacro(StepLength, double);
+  ///@}
+
+  ///@{
+  /// Only the part of the diffusion across the normal counts. Default off.
+  vtkSetMacro(TangentialFlux, bool);
+  vtkGetMacro(TangentialFlux, bool);
+  vtkBooleanMacro(TangentialFlux, bool);
+  ///@}
+
+  ///@{
+  /// The weight of the input in GLOBAL_SOLVE, in [1e-9, 1]. Default 0.01: the smaller, the smoother.
+  vtkSetClampMacro(Fidelity, double, 1e-9, 1.0);
+  vtkGetMacro(Fidelity, double);
+  ///@}
+
+  ///@{
+  /// Weigh the energies of GLOBAL_SOLVE with face areas. Default on.
+  vtkSetMacro(AreaEnergy, bool);
+  vtkGetMacro(AreaEnergy, bool);
+  vtkBooleanMacro(AreaEnergy, bool);
   ///@}
 
   ///@{
@@ -133,10 +249,19 @@ public:
   ///@}
 
   ///@{
-  /// Weigh neighbours by their area. Default on.
-  vtkSetMacro(AreaWeighting, bool);
-  vtkGetMacro(AreaWeighting, bool);
-  vtkBooleanMacro(AreaWeighting, bool);
+  /// Measure SpatialScale in each face's own mean distance to its adjacent ones. Default off.
+  vtkSetMacro(LocalSpatialScale, bool);
+  vtkGetMacro(LocalSpatialScale, bool);
+  vtkBooleanMacro(LocalSpatialScale, bool);
+  ///@}
+
+  ///@{
+  /// The fixed weights of neighbours, one of FaceWeightings. Default AREA.
+  vtkSetClampMacro(FaceWeighting, int, UNIFORM, COUPLING);
+  vtkGetMacro(FaceWeighting, int);
+  void SetFaceWeightingToUniform() { this->SetFaceWeighting(UNIFORM); }
+  void SetFaceWeightingToArea() { this->SetFaceWeighting(AREA); }
+  void SetFaceWeightingToCoupling() { this->SetFaceWeighting(COUPLING); }
   ///@}
 
   ///@{
@@ -148,18 +273,26 @@ public:
 
   ///@{
   /// The neighbourhood, one of Neighborhoods. Default VERTEX_SHARING.
-  vtkSetClampMacro(Neighborhood, int, EDGE_ADJACENT, RADIUS);
+  vtkSetClampMacro(Neighborhood, int, EDGE_ADJACENT, EDGE_RADIUS);
   vtkGetMacro(Neighborhood, int);
   void SetNeighborhoodToEdgeAdjacent() { this->SetNeighborhood(EDGE_ADJACENT); }
   void SetNeighborhoodToVertexSharing() { this->SetNeighborhood(VERTEX_SHARING); }
   void SetNeighborhoodToRadius() { this->SetNeighborhood(RADIUS); }
+  void SetNeighborhoodToEdgeRadius() { this->SetNeighborhood(EDGE_RADIUS); }
   ///@}
 
   ///@{
-  /// The radius of the neighbourhood RADIUS in mean distances of adjacent centroids. Default 2:
-  /// about 12 faces.
+  /// The radius of RADIUS and EDGE_RADIUS in mean distances of adjacent centroids. Default 2: about
+  /// 12 faces.
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /// Look for the neighbours within the radius again in every outer iteration. Default on.
+  vtkSetMacro(RenewNeighborhood, bool);
+  vtkGetMacro(RenewNeighborhood, bool);
+  vtkBooleanMacro(RenewNeighborhood, bool);
   ///@}
 
   ///@{
@@ -170,48 +303,38 @@ public:
   void SetDataSourceToOriginal() { this->SetDataSource(ORIGINAL); }
   ///@}
 
-  ///@{
-  /// The schedule, one of Schedules. Default NORMALS_FIRST.
-  vtkSetClampMacro(Schedule, int, NORMALS_FIRST, ALTERNATING);
-  vtkGetMacro(Schedule, int);
-  void SetScheduleToNormalsFirst() { this->SetSchedule(NORMALS_FIRST); }
-  void SetScheduleToAlternating() { this->SetSchedule(ALTERNATING); }
-  ///@}
-
-  ///@{
-  /// Number of outer iterations of the schedule ALTERNATING. Default 10; each has its own normal
-  /// and vertex iterations.
-  vtkSetClampMacro(NumberOfOuterIterations, int, 0, VTK_INT_MAX);
-  vtkGetMacro(NumberOfOuterIterations, int);
-  ///@}
-
 protected:
   vtkRobustNormalFilter();
   ~vtkRobustNormalFilter() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) override;
-  void TakeReport(const SurfaceDenoising::MeshDenoisingReport& report) override;
+  double RangeUnit() const override;
 
+  int Preset = CUSTOM;
   int Norm = GAUSSIAN;
   int Argument = CHORD;
+  int CurvatureUnit = CENTROID_DISTANCE;
+  int Guidance = NO_GUIDANCE;
   int ScaleSource = DATA_MAD;
   double RangeScale = 0.35;
   double SpatialScale = 1.0;
-  bool AreaWeighting = true;
+  bool LocalSpatialScale = false;
+  int FaceWeighting = AREA;
   bool IncludeOwn = true;
   int Neighborhood = VERTEX_SHARING;
   double Radius = 2.0;
+  bool RenewNeighborhood = true;
   int DataSource = PREVIOUS;
-  int Schedule = NORMALS_FIRST;
-  int NumberOfOuterIterations = 10;
+  int Operator = AVERAGE;
+  double StepLength = 0.5;
+  bool TangentialFlux = false;
+  double Fidelity = 0.01;
+  bool AreaEnergy = true;
 
 private:
   vtkRobustNormalFilter(const vtkRobustNormalFilter&) = delete;
   void operator=(const vtkRobustNormalFilter&) = delete;
-
-  /// Radians per degree if the argument is an angle, else 1.
-  double ArgumentUnit() const;
 };
 
 #endif

@@ -54,7 +54,8 @@ void Denoise(TriangleMesh& mesh, int iterations)
 {
   Execution serial;
   Buffer<Vec3> normals;
-  EXPECT_TRUE(DenoiseAsReleased(mesh, normals, { 0.35, 0.2, iterations }, serial));
+  MeshFacts facts;
+  EXPECT_TRUE(DenoiseAsReleased(mesh, normals, { 0.35, 0.2, iterations }, facts, serial));
 }
 
 }

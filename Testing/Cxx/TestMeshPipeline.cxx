@@ -198,7 +198,7 @@ void TestProgressAndAbort(int& failures)
   for (const double at : { 2.0, 0.001, 0.5, 0.9 })
   {
     vtkNew<vtkRobustNormalFilter> filter;
-    filter->SetScheduleToAlternating();
+    filter->SetNumberOfOuterIterations(10);
     filter->SetNumberOfNormalIterations(3);
     filter->SetInputData(surface);
     vtkNew<Aborter> aborter;

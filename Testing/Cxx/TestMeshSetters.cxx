@@ -118,19 +118,19 @@ void TestRobust(int& failures)
   CHECK(changes([](Filter* f) { f->SetScaleSourceToDataRayleigh(); }));
   CHECK(changes([](Filter* f) { f->SetScaleSourceToDataHalfNormal(); }));
   CHECK(changes([](Filter* f) { f->SetSpatialScale(2.0); }));
-  CHECK(changes([](Filter* f) { f->AreaWeightingOff(); }));
+  CHECK(changes([](Filter* f) { f->SetFaceWeightingToUniform(); }));
   CHECK(changes([](Filter* f) { f->IncludeOwnOff(); }));
   CHECK(changes([](Filter* f) { f->SetNeighborhoodToEdgeAdjacent(); }));
   CHECK(changes([](Filter* f) { f->SetNeighborhoodToRadius(); }));
   CHECK(changes([](Filter* f) { f->SetDataSourceToOriginal(); }));
-  CHECK(changes([](Filter* f) { f->SetScheduleToAlternating(); }));
+  CHECK(changes([](Filter* f) { f->SetNumberOfOuterIterations(10); }));
   TestVertexSettings(changes, failures);
 
   Changes<Filter> given([](Filter* f) { f->SetScaleSourceToGiven(); });
   CHECK(given([](Filter* f) { f->SetRangeScale(0.3); }));
   Changes<Filter> radius([](Filter* f) { f->SetNeighborhoodToRadius(); });
   CHECK(radius([](Filter* f) { f->SetRadius(3.0); }));
-  Changes<Filter> alternating([](Filter* f) { f->SetScheduleToAlternating(); });
+  Changes<Filter> alternating([](Filter* f) { f->SetNumberOfOuterIterations(10); });
   CHECK(alternating([](Filter* f) { f->SetNumberOfOuterIterations(9); }));
 
   // 20 degrees are 20 degrees, as an angle or as a chord, for a norm that only asks for more or

@@ -14,7 +14,7 @@ def build():
     noisy = SurfaceNoise(Input=sphere, Direction="Random", Size=0.25, Seed=7)
     return RobustNormalFilter(
         Input=noisy, Norm="Tukey", Argument="Angle", ScaleSource="Given", RangeScale=55.0,
-        Schedule="Alternating", NumberOfOuterIterations=3, NumberOfNormalIterations=4)
+        Operator="Diffusion", NumberOfOuterIterations=3, NumberOfNormalIterations=4)
 
 
 def points():
@@ -25,7 +25,7 @@ def points():
 
 def check_replay(replay, text):
     """In a new session, replay makes the pipeline again; the text sets what is not default."""
-    for setting in ("Norm = 'Tukey'", "RangeScale = 55.0", "Schedule = 'Alternating'",
+    for setting in ("Norm = 'Tukey'", "RangeScale = 55.0", "Operator = 'Diffusion'",
                     "Direction = 'Random'", "Seed = 7"):
         assert text is None or setting in text, (setting, text)
     ResetSession()
