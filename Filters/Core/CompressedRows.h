@@ -32,13 +32,14 @@ public:
 };
 
 /**
- * Builds rows in parallel. append(i, ids) adds the entries of row i at the end of ids and must not
- * look at what is there already. Every chunk of rows, the least that a thread takes, is collected on
- * its own and then copied to its place, so that each row is computed once although its length is not
- * known beforehand.
+ * Builds rows in parallel. makeAppend() is called once for every stretch of rows that a thread takes
+ * and returns a function for it, which may own memory to work in: append(i, ids) adds the entries of
+ * row i at the end of ids and must not look at what is there already. Every chunk of rows, the least
+ * that a thread takes, is collected on its own and then copied to its place, so that each row is
+ * computed once although its length is not known beforehand.
  */
-template <typename Append>
-CompressedRows BuildRows(Execution& execution, std::size_t count, Append append,
+template <typename MakeAppend>
+CompressedRows BuildRowsWith(Execution& execution, std::size_t count, MakeAppend makeAppend,
   std::size_t chunk = 4096)
 {
   const std::size_t chunks = (count + chunk - 1) / chunk;
@@ -50,6 +51,7 @@ CompressedRows BuildRows(Execution& execution, std::size_t count, Append append,
     chunks,
     [&](std::size_t begin, std::size_t end)
     {
+      auto append = makeAppend();
       Buffer<Index> ids;
       for (std::size_t c = begin; c < end; ++c)
       {
@@ -88,6 +90,16 @@ CompressedRows BuildRows(Execution& execution, std::size_t count, Append append,
     },
     1);
   return rows;
+}
+
+/// The same with one function for all rows, which needs no memory of its own.
+template <typename Append>
+CompressedRows BuildRows(Execution& execution, std::size_t count, const Append& append,
+  std::size_t chunk = 4096)
+{
+  return BuildRowsWith(
+    execution, count,
+    [&append] { return [&append](std::size_t i, Buffer<Index>& ids) { append(i, ids); }; }, chunk);
 }
 
 }

@@ -85,30 +85,38 @@ NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<V
   double radius, Execution& execution)
 {
   const double limit = radius * radius;
-  return BuildRows(execution, centroids.size(),
-    [&](std::size_t f, Buffer<Index>& row)
+  return BuildRowsWith(execution, centroids.size(),
+    [&]
     {
-      // Rows are short, so that a scan of the row is a faster "seen already" test than a set. Faces
-      // that are too far are met again by other paths; a second distance test costs less than
-      // remembering them.
-      const std::size_t first = row.size();
-      const Vec3 centre = centroids[f];
-      auto grow = [&](Index from)
+      // Whether a face was seen already, near or far, is asked more often than anything else. Marks
+      // answer without search, and let every distance be computed once.
+      return [&, seen = std::vector<Index>(centroids.size(), NoIndex)](
+               std::size_t f, Buffer<Index>& row) mutable
       {
-        for (const Index g : connections.Row(from))
+        const std::size_t first = row.size();
+        const Index mark = static_cast<Index>(f);
+        const Vec3 centre = centroids[f];
+        auto grow = [&](Index from)
         {
-          if (g != f && (centroids[g] - centre).squaredNorm() <= limit &&
-            std::find(row.begin() + first, row.end(), g) == row.end())
+          for (const Index g : connections.Row(from))
           {
-            row.push_back(g);
+            if (seen[g] != mark)
+            {
+              seen[g] = mark;
+              if ((centroids[g] - centre).squaredNorm() <= limit)
+              {
+                row.push_back(g);
+              }
+            }
           }
+        };
+        seen[f] = mark;
+        grow(mark);
+        for (std::size_t next = first; next < row.size(); ++next)
+        {
+          grow(row[next]);
         }
       };
-      grow(static_cast<Index>(f));
-      for (std::size_t next = first; next < row.size(); ++next)
-      {
-        grow(row[next]);
-      }
     });
 }
 

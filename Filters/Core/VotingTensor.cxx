@@ -4,6 +4,7 @@
 #include "VotingTensor.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Jacobi>
 
 #include <atomic>
 
@@ -21,12 +22,40 @@ Vec3 RotatedVote(const Vec3& n, const Vec3& towards)
   return length > 0.0 ? Vec3(2.0 * n.dot(u / length) * (u / length) - n) : n;
 }
 
+/// Eigenvalues, ascending, and eigenvectors of a symmetric matrix.
+struct Eigensystem
+{
+  Vec3 Values;
+  Mat3 Vectors;
+};
+
+/// The closed form is three times as fast as the iteration, but good to eight digits only; a sweep of
+/// rotations brings the others.
+Eigensystem Decompose(const Mat3& matrix)
+{
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  solver.computeDirect(matrix);
+  Mat3 vectors = solver.eigenvectors();
+  Mat3 nearlyDiagonal = vectors.transpose() * matrix * vectors;
+  for (const auto& pair : { std::make_pair(0, 1), std::make_pair(0, 2), std::make_pair(1, 2) })
+  {
+    Eigen::JacobiRotation<double> rotation;
+    if (rotation.makeJacobi(nearlyDiagonal, pair.first, pair.second))
+    {
+      nearlyDiagonal.applyOnTheLeft(pair.first, pair.second, rotation.adjoint());
+      nearlyDiagonal.applyOnTheRight(pair.first, pair.second, rotation);
+      vectors.applyOnTheRight(pair.first, pair.second, rotation);
+    }
+  }
+  return { nearlyDiagonal.diagonal(), vectors };
+}
+
 /// d n + sum_k b_k (e_k . n) e_k, not normalised.
 Vec3 Project(const Mat3& tensor, const Vec3& n, const VotingTensorSettings& settings)
 {
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(tensor); // ascending eigenvalues
-  const Vec3& values = solver.eigenvalues();
-  const Mat3& vectors = solver.eigenvectors();
+  const Eigensystem system = Decompose(tensor);
+  const Vec3& values = system.Values;
+  const Mat3& vectors = system.Vectors;
   const Vec3 first = vectors.col(2);
   const double threshold = settings.Threshold * values.norm();
   if (values[0] >= threshold)
@@ -54,7 +83,7 @@ std::size_t VoteOnNormals(const NormalFilter& filter, const NormalFilter::Fields
   filter.VisitWeights(fields, execution,
     [&](std::size_t i, const double* weights)
     {
-      Mat3 tensor = Mat3::Zero();
+      double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
       Vec3 mean(0.0, 0.0, 0.0);
       double total = 0.0;
       auto vote = [&](std::size_t j)
@@ -63,7 +92,13 @@ std::size_t VoteOnNormals(const NormalFilter& filter, const NormalFilter::Fields
         const Vec3& data = fields.Data[j];
         const Vec3 n =
           settings.RotateVotes && j != i ? RotatedVote(data, positions[j] - positions[i]) : data;
-        tensor.noalias() += (w * n) * n.transpose();
+        const Vec3 wn = w * n;
+        xx += wn[0] * n[0];
+        xy += wn[0] * n[1];
+        xz += wn[0] * n[2];
+        yy += wn[1] * n[1];
+        yz += wn[1] * n[2];
+        zz += wn[2] * n[2];
         mean += w * data;
         total += w;
       };
@@ -80,6 +115,8 @@ std::size_t VoteOnNormals(const NormalFilter& filter, const NormalFilter::Fields
       Vec3 voted(0.0, 0.0, 0.0);
       if (total > NormalFilter::NoWeight)
       {
+        Mat3 tensor;
+        tensor << xx, xy, xz, xy, yy, yz, xz, yz, zz;
         voted = own.isZero(0.0) ? Vec3(mean / total) : Project(tensor / total, own, settings);
       }
       const double length = voted.norm();
