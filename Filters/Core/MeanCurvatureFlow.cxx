@@ -21,6 +21,13 @@ constexpr double Tolerance = 1e-10;
 /// Far more than sensible time steps need; with others, a step ends on the way.
 constexpr int MostIterations = 2000;
 
+/// Least area of a vertex in squared mean edge lengths of the input. Without it, parts that have
+/// collapsed have no definite place.
+constexpr double SmallestMass = 1e-6;
+
+/// A step that loses more volume than this restores makes no sense.
+constexpr double LargestScaling = 2.0;
+
 struct PositionSum
 {
   Vec3 Sum = Vec3(0.0, 0.0, 0.0);
@@ -44,8 +51,10 @@ public:
     , FixBoundary(settings.FixBoundary)
     , TimeStep(
         settings.TimeStep * prepared.Facts().MeanEdgeLength * prepared.Facts().MeanEdgeLength)
+    , LeastMass(SmallestMass * prepared.Facts().MeanEdgeLength * prepared.Facts().MeanEdgeLength)
     , Exec(execution)
     , Laplacian(this->Mesh, this->Stars, execution)
+    , Masses(this->Mesh.NumberOfVertices())
     , Diagonal(this->Mesh.NumberOfVertices())
     , Rhs(this->Mesh.NumberOfVertices())
     , Displacement(this->Mesh.NumberOfVertices())
@@ -58,14 +67,15 @@ public:
     const double dt = this->TimeStep;
     const std::size_t vertices = this->Mesh.NumberOfVertices();
     this->Laplacian.Update(this->Exec);
-    const Buffer<double>& masses = this->Laplacian.Masses();
     this->Exec.For(vertices,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t v = begin; v < end; ++v)
         {
           const bool fixed = this->FixBoundary && this->Boundary[v];
-          this->Diagonal[v] = fixed ? 0.0 : masses[v] + dt * this->Laplacian.Diagonal()[v];
+          const double mass = std::max(this->Laplacian.Masses()[v], this->LeastMass);
+          this->Masses[v] = mass;
+          this->Diagonal[v] = fixed ? 0.0 : mass + dt * this->Laplacian.Diagonal()[v];
           this->Rhs[v] = -dt * this->Laplacian.Apply(this->Mesh.Positions, v);
           this->Displacement[v] = Vec3(0.0, 0.0, 0.0);
         }
@@ -77,7 +87,7 @@ public:
         {
           for (std::size_t v = begin; v < end; ++v)
           {
-            product[v] = masses[v] * x[v] + dt * this->Laplacian.Apply(x, v);
+            product[v] = this->Masses[v] * x[v] + dt * this->Laplacian.Apply(x, v);
           }
         });
     };
@@ -98,7 +108,7 @@ public:
   bool Restore(double volume)
   {
     const double factor = std::cbrt(volume / SignedVolume(this->Mesh, this->Exec));
-    if (!(factor > 0.0 && factor < 1e3))
+    if (!(factor > 0.0 && factor < LargestScaling))
     {
       return false;
     }
@@ -129,8 +139,10 @@ private:
   const Buffer<unsigned char>& Boundary;
   bool FixBoundary;
   double TimeStep;
+  double LeastMass;
   Execution& Exec;
   CotangentLaplacian Laplacian;
+  Buffer<double> Masses;
   Buffer<double> Diagonal; ///< 0: does not move
   Buffer<Vec3> Rhs;
   Buffer<Vec3> Displacement;

@@ -54,6 +54,8 @@ void PredictVertices(const TriangleMesh& mesh, const CompressedRows& stars,
   const FaceGeometry& faces, double spatialScale, double rangeScale,
   const Buffer<unsigned char>& fixed, Buffer<Vec3>& predicted, Execution& execution)
 {
+  // Sums of areas and weights that have no digits left.
+  const double noWeight = 1e-140 * spatialScale * spatialScale;
   predicted.resize(mesh.NumberOfVertices());
   execution.For(mesh.NumberOfVertices(),
     [&](std::size_t begin, std::size_t end)
@@ -83,7 +85,7 @@ void PredictVertices(const TriangleMesh& mesh, const CompressedRows& stars,
           sum += w * ball.Heights[k] * m;
           total += w;
         }
-        if (total > 0.0)
+        if (total > noWeight)
         {
           predicted[v] = p + sum / total;
         }

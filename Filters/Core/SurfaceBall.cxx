@@ -5,6 +5,8 @@
 
 #include "Vectorize.h"
 
+#include <limits>
+
 namespace SurfaceDenoising
 {
 
@@ -120,9 +122,12 @@ void SurfaceBall::GrowFaces(const TriangleMesh& mesh, const CompressedRows& star
 
 const Buffer<double>& SurfaceBall::Weigh(double spatialScale, double rangeScale)
 {
+  // The limit is for squares of scales that underflow.
+  auto factor = [](double scale)
+  { return std::min(0.5 / (scale * scale), std::numeric_limits<double>::max()); };
   this->Weights.resize(this->Found.size());
-  WeighEntries(this->Squares.data(), this->Heights.data(), this->Found.size(),
-    0.5 / (spatialScale * spatialScale), 0.5 / (rangeScale * rangeScale), this->Weights.data());
+  WeighEntries(this->Squares.data(), this->Heights.data(), this->Found.size(), factor(spatialScale),
+    factor(rangeScale), this->Weights.data());
   return this->Weights;
 }
 
