@@ -112,8 +112,9 @@ ConjugateGradientResult SolveConjugateGradient(Apply apply, const Buffer<double>
     Vec3 step(0.0, 0.0, 0.0); // of finished columns
     for (int c = 0; c < 3; ++c)
     {
-      active[c] = active[c] && energy[c] > 0.0 && std::isfinite(energy[c]);
-      step[c] = active[c] ? sums.Preconditioned[c] / energy[c] : 0.0;
+      const double length = sums.Preconditioned[c] / energy[c];
+      active[c] = active[c] && energy[c] > 0.0 && std::isfinite(length);
+      step[c] = active[c] ? length : 0.0;
     }
     const ConjugateGradientSums next = OrderedSum(execution, count, ConjugateGradientSums(),
       [&](std::size_t i)

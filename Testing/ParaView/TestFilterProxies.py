@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every filter runs from paraview.simple, on a sphere and on an OFF file, and does its work."""
 
-from paraview.simple import (BilateralNormalFilter, NormalVertexUpdate, OpenDataFile,
+from paraview.simple import (AnisotropicMeanCurvatureFilter, BilateralNormalFilter,
+                             BilateralVertexFilter, MeanCurvatureFlowFilter,
+                             NonIterativeBilateralFilter, NormalVertexUpdate, OpenDataFile,
                              RobustNormalFilter, Sphere, SurfaceComparison, SurfaceNoise)
 from paraview.servermanager import Fetch
 
@@ -58,6 +60,13 @@ def check(truth):
     for result in (bilateral, robust):
         after = mean_angle(result, truth)
         assert after < 0.6 * before, (result.GetXMLName(), before, after)
+
+    for result in (AnisotropicMeanCurvatureFilter(Input=noisy),
+                   AnisotropicMeanCurvatureFilter(Input=noisy, PrescribeCurvature=1),
+                   BilateralVertexFilter(Input=noisy), NonIterativeBilateralFilter(Input=noisy),
+                   MeanCurvatureFlowFilter(Input=noisy, TimeStep=0.05, RestoreVolume=1)):
+        after = mean_angle(result, truth)
+        assert after < 0.9 * before, (result.GetXMLName(), before, after)
 
     # The two stages as two steps, without an update in between, are one filter.
     normals = BilateralNormalFilter(Input=noisy, NumberOfNormalIterations=10, UpdateVertices=0)

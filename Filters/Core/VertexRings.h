@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file VertexRings.h
+ * @brief Which vertices are joined by an edge.
+ */
+
+#ifndef SurfaceDenoising_VertexRings_h
+#define SurfaceDenoising_VertexRings_h
+
+#include "TriangleMesh.h"
+
+namespace SurfaceDenoising
+{
+
+/// The vertices at the other ends of the edges of every vertex, each once.
+CompressedRows VertexRings(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution);
+
+}
+
+#endif
