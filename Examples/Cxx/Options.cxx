@@ -4,7 +4,18 @@
 #include "Options.h"
 
 #include "vtkBilateralNormalFilter.h"
+#include "vtkBilateralVertexFilter.h"
+#include "vtkCurvatureNormalDiffusionFilter.h"
+#include "vtkDenoisingMethods.h"
+#include "vtkFuzzyVectorMedianNormalFilter.h"
+#include "vtkGeometricFidelityNormalFilter.h"
+#include "vtkGuidedNormalFilter.h"
+#include "vtkHuberNormalFilter.h"
+#include "vtkNonIterativeBilateralFilter.h"
+#include "vtkNormalDiffusionFilter.h"
+#include "vtkNormalVotingTensorFilter.h"
 #include "vtkRobustNormalFilter.h"
+#include "vtkTukeyBilateralNormalFilter.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,6 +32,95 @@ std::string OptionName(std::string name)
   return name;
 }
 
+constexpr const char* Composed = "robust"; // the composer, beside the methods of the table
+
+std::vector<std::string> MethodNames()
+{
+  std::vector<std::string> names = { Composed };
+  for (int method = 0; method < vtkDenoisingMethods::GetNumberOfMethods(); ++method)
+  {
+    names.push_back(OptionName(vtkDenoisingMethods::GetName(method)));
+  }
+  return names;
+}
+
+vtkSmartPointer<vtkMeshDenoisingFilter> MakeMethod(const std::string& name)
+{
+  for (int method = 0; method < vtkDenoisingMethods::GetNumberOfMethods(); ++method)
+  {
+    if (name == OptionName(vtkDenoisingMethods::GetName(method)))
+    {
+      return vtk::TakeSmartPointer(vtkDenoisingMethods::NewFilter(method));
+    }
+  }
+  return vtkSmartPointer<vtkRobustNormalFilter>::New();
+}
+
+/// Calls set on the filter as the one of the classes that it is. False if it is none of them.
+template <typename... Filters, typename Set>
+bool SetOn(vtkMeshDenoisingFilter* filter, Set set)
+{
+  auto setOn = [&set](auto* one)
+  {
+    if (one)
+    {
+      set(one);
+    }
+    return one != nullptr;
+  };
+  return (setOn(Filters::SafeDownCast(filter)) || ...);
+}
+
+bool SetRangeScale(vtkMeshDenoisingFilter* filter, double scale)
+{
+  if (auto* robust = vtkRobustNormalFilter::SafeDownCast(filter))
+  {
+    robust->SetScaleSource(
+      scale > 0.0 ? vtkRobustNormalFilter::GIVEN : vtkRobustNormalFilter::DATA_MAD);
+  }
+  return SetOn<vtkRobustNormalFilter, vtkBilateralNormalFilter, vtkNormalDiffusionFilter,
+    vtkHuberNormalFilter, vtkNormalVotingTensorFilter, vtkFuzzyVectorMedianNormalFilter,
+    vtkCurvatureNormalDiffusionFilter, vtkGeometricFidelityNormalFilter, vtkGuidedNormalFilter,
+    vtkTukeyBilateralNormalFilter, vtkBilateralVertexFilter, vtkNonIterativeBilateralFilter>(filter,
+    [scale](auto* one) { one->SetRangeScale(scale); });
+}
+
+bool SetSpatialScale(vtkMeshDenoisingFilter* filter, double scale)
+{
+  return SetOn<vtkRobustNormalFilter, vtkBilateralNormalFilter, vtkHuberNormalFilter,
+    vtkGuidedNormalFilter, vtkTukeyBilateralNormalFilter, vtkBilateralVertexFilter,
+    vtkNonIterativeBilateralFilter>(filter, [scale](auto* one) { one->SetSpatialScale(scale); });
+}
+
+bool SetNorm(vtkMeshDenoisingFilter* filter, int norm)
+{
+  return SetOn<vtkRobustNormalFilter>(filter, [norm](auto* one) { one->SetNorm(norm); });
+}
+
+bool SetOuterIterations(vtkMeshDenoisingFilter* filter, int count)
+{
+  return SetOn<vtkFaceNormalFilter>(
+    filter, [count](auto* one) { one->SetNumberOfOuterIterations(count); });
+}
+
+bool SetNormalIterations(vtkMeshDenoisingFilter* filter, int count)
+{
+  return SetOn<vtkFaceNormalFilter>(
+    filter, [count](auto* one) { one->SetNumberOfNormalIterations(count); });
+}
+
+bool SetVertexIterations(vtkMeshDenoisingFilter* filter, int count)
+{
+  return SetOn<vtkFaceNormalFilter>(
+    filter, [count](auto* one) { one->SetNumberOfVertexIterations(count); });
+}
+
+bool SetMaximumDisplacement(vtkMeshDenoisingFilter* filter, double length)
+{
+  return SetOn<vtkFaceNormalFilter>(
+    filter, [length](auto* one) { one->SetMaximumDisplacement(length); });
+}
+
 }
 
 bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode)
@@ -30,7 +130,6 @@ bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode)
     "Files: PLY, OBJ, STL, VTP, VTK; OFF for reading only.\n"
     "Exit codes: 0 done, 1 bad command line, 2 cannot read, 3 cannot denoise, 4 cannot write.");
 
-  std::string method = "bilateral";
   std::map<std::string, int> norms;
   for (int norm = 0; norm < vtkRobustNormalFilter::GetNumberOfNorms(); ++norm)
   {
@@ -39,19 +138,21 @@ bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode)
 
   app.add_option("input", options.Input, "The surface with noise")->required();
   app.add_option("output", options.Output, "Where the clean surface goes")->required();
-  app.add_option("-m,--method", method, "How normals are filtered")
-    ->check(CLI::IsMember({ "bilateral", "robust" }))
+  app.add_option("-m,--method", options.Method, "A published method, or robust to compose one")
+    ->check(CLI::IsMember(MethodNames()))
     ->capture_default_str();
   app.add_option("--norm", options.Norm, "Error norm of the robust method")
     ->transform(CLI::CheckedTransformer(norms, CLI::ignore_case));
   app
     .add_option("-r,--range-scale", options.RangeScale,
-      "Differences of normals (chord length, 0.35 is 20 degrees) that count as noise; 0: from the "
-      "data")
-    ->check(CLI::Range(0.0, 2.0));
+      "Differences of normals that count as noise, in the unit of the method (mostly chord length, "
+      "where 0.35 is 20 degrees); 0: from the data")
+    ->check(CLI::NonNegativeNumber);
   app
     .add_option("-s,--spatial-scale", options.SpatialScale,
       "Width of the spatial kernel in mean distances of face centroids; 0: none")
+    ->check(CLI::NonNegativeNumber);
+  app.add_option("-o,--outer-iterations", options.OuterIterations, "Turns of normals and points")
     ->check(CLI::NonNegativeNumber);
   app.add_option("-n,--normal-iterations", options.NormalIterations, "Steps that filter normals")
     ->check(CLI::NonNegativeNumber);
@@ -78,62 +179,49 @@ bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode)
     exitCode = app.exit(error) == 0 ? 0 : 1;
     return false;
   }
-  options.Robust = method == "robust";
-  if (options.Norm >= 0 && !options.Robust)
-  {
-    std::cerr << "denoise: --norm belongs to --method robust.\n";
-    exitCode = 1;
-    return false;
-  }
   return true;
 }
 
-vtkSmartPointer<vtkFaceNormalFilter> MakeFilter(const Options& options)
+vtkSmartPointer<vtkMeshDenoisingFilter> MakeFilter(const Options& options, std::string& message)
 {
-  vtkSmartPointer<vtkFaceNormalFilter> filter;
-  if (options.Robust)
+  const auto filter = MakeMethod(options.Method);
+  const struct
   {
-    auto robust = vtkSmartPointer<vtkRobustNormalFilter>::New();
-    if (options.Norm >= 0)
-    {
-      robust->SetNorm(options.Norm);
-    }
-    if (options.RangeScale > 0.0)
-    {
-      robust->SetScaleSourceToGiven();
-      robust->SetRangeScale(options.RangeScale);
-    }
-    if (options.SpatialScale >= 0.0)
-    {
-      robust->SetSpatialScale(options.SpatialScale);
-    }
-    filter = robust;
-  }
-  else
+    const char* Name;
+    bool Suits;
+  } wishes[] = {
+    { "--norm", options.Norm < 0 || SetNorm(filter, options.Norm) },
+    { "--range-scale", options.RangeScale < 0.0 || SetRangeScale(filter, options.RangeScale) },
+    { "--spatial-scale",
+      options.SpatialScale < 0.0 || SetSpatialScale(filter, options.SpatialScale) },
+    { "--outer-iterations",
+      options.OuterIterations < 0 || SetOuterIterations(filter, options.OuterIterations) },
+    { "--normal-iterations",
+      options.NormalIterations < 0 || SetNormalIterations(filter, options.NormalIterations) },
+    { "--vertex-iterations",
+      options.VertexIterations < 0 || SetVertexIterations(filter, options.VertexIterations) },
+    { "--maximum-displacement",
+      options.MaximumDisplacement < 0.0 ||
+        SetMaximumDisplacement(filter, options.MaximumDisplacement) },
+  };
+  for (const auto& wish : wishes)
   {
-    auto bilateral = vtkSmartPointer<vtkBilateralNormalFilter>::New();
-    if (options.RangeScale >= 0.0)
+    if (!wish.Suits)
     {
-      bilateral->SetRangeScale(options.RangeScale);
+      message = std::string(wish.Name) + " has no meaning for the method " + options.Method + ".";
+      return nullptr;
     }
-    if (options.SpatialScale >= 0.0)
-    {
-      bilateral->SetSpatialScale(options.SpatialScale);
-    }
-    filter = bilateral;
   }
-  if (options.NormalIterations >= 0)
+  if (auto* twoStage = vtkFaceNormalFilter::SafeDownCast(filter))
   {
-    filter->SetNumberOfNormalIterations(options.NormalIterations);
+    twoStage->SetBoundaryHandling(options.Boundary == "free" ? vtkFaceNormalFilter::FREE
+        : options.Boundary == "slide"                        ? vtkFaceNormalFilter::SLIDE
+                                                             : vtkFaceNormalFilter::FIXED);
   }
-  if (options.VertexIterations >= 0)
+  else if (auto* oneStage = vtkOneStageFilter::SafeDownCast(filter))
   {
-    filter->SetNumberOfVertexIterations(options.VertexIterations);
+    oneStage->SetFixBoundary(options.Boundary == "fixed");
   }
-  filter->SetBoundaryHandling(options.Boundary == "free" ? vtkFaceNormalFilter::FREE
-      : options.Boundary == "slide"                      ? vtkFaceNormalFilter::SLIDE
-                                                         : vtkFaceNormalFilter::FIXED);
-  filter->SetMaximumDisplacement(options.MaximumDisplacement);
   filter->SetNumberOfThreads(options.Threads);
   return filter;
 }

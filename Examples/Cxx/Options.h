@@ -8,7 +8,7 @@
 
 #include <string>
 
-class vtkFaceNormalFilter;
+class vtkMeshDenoisingFilter;
 
 /// What the command line asks for.
 struct Options
@@ -16,13 +16,14 @@ struct Options
   std::string Input;
   std::string Output;
   std::string Reference;
-  bool Robust = false;
+  std::string Method = "bilateral-normal";
   int Norm = -1;            ///< of vtkRobustNormalFilter::Norms, -1: the filter's default
   double RangeScale = -1.0; ///< negative: the filter's default
   double SpatialScale = -1.0;
+  int OuterIterations = -1;
   int NormalIterations = -1;
   int VertexIterations = -1;
-  double MaximumDisplacement = 0.0;
+  double MaximumDisplacement = -1.0;
   std::string Boundary = "fixed";
   int Threads = 0;
   bool Quiet = false;
@@ -31,7 +32,7 @@ struct Options
 /// Reads the command line. Returns false with the exit code if the program is to end at once.
 bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode);
 
-/// The filter that the options describe.
-vtkSmartPointer<vtkFaceNormalFilter> MakeFilter(const Options& options);
+/// The filter that the options describe; null with a message if an option does not suit the method.
+vtkSmartPointer<vtkMeshDenoisingFilter> MakeFilter(const Options& options, std::string& message);
 
 #endif

@@ -7,7 +7,7 @@
 #include "Options.h"
 #include "SurfaceFile.h"
 
-#include "vtkFaceNormalFilter.h"
+#include "vtkMeshDenoisingFilter.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSurfaceComparison.h"
@@ -30,6 +30,7 @@ namespace
 enum ExitCodes
 {
   Done = 0,
+  BadCommandLine = 1,
   CannotRead = 2,
   CannotDenoise = 3,
   CannotWrite = 4
@@ -112,7 +113,12 @@ int main(int argc, char* argv[])
     return Complain(options.Reference, message, CannotRead);
   }
 
-  const auto filter = MakeFilter(options);
+  const auto filter = MakeFilter(options, message);
+  if (!filter)
+  {
+    std::cerr << "denoise: " << message << "\n";
+    return BadCommandLine;
+  }
   vtkNew<MessageKeeper> keeper;
   keeper->Watch(filter);
   if (!options.Quiet)
@@ -140,10 +146,10 @@ int main(int argc, char* argv[])
   }
   if (!options.Quiet)
   {
-    std::printf("%lld points, %lld polygons, range scale %.3g, %.2f seconds\n",
+    std::printf("%lld points, %lld polygons, %.2f seconds\n",
       static_cast<long long>(output->GetNumberOfPoints()),
       static_cast<long long>(output->GetNumberOfPolys() + output->GetNumberOfStrips()),
-      filter->GetUsedRangeScale(), seconds.count());
+      seconds.count());
   }
   if (reference)
   {

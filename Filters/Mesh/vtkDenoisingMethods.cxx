@@ -5,7 +5,23 @@
 
 #include "Methods.h"
 
+#include "vtkAnisotropicMeanCurvatureFilter.h"
+#include "vtkBilateralNormalFilter.h"
+#include "vtkBilateralVertexFilter.h"
+#include "vtkCurvatureNormalDiffusionFilter.h"
+#include "vtkFuzzyVectorMedianNormalFilter.h"
+#include "vtkGeometricFidelityNormalFilter.h"
+#include "vtkGuidedNormalFilter.h"
+#include "vtkHuberNormalFilter.h"
+#include "vtkMeanCurvatureFlowFilter.h"
+#include "vtkMeanNormalFilter.h"
+#include "vtkMedianNormalFilter.h"
+#include "vtkNonIterativeBilateralFilter.h"
+#include "vtkNormalDiffusionFilter.h"
+#include "vtkNormalVotingTensorFilter.h"
 #include "vtkObjectFactory.h"
+#include "vtkRobustNormalFilter.h"
+#include "vtkTukeyBilateralNormalFilter.h"
 
 namespace sd = SurfaceDenoising;
 
@@ -58,6 +74,67 @@ bool vtkDenoisingMethods::IsComposed(int method)
 {
   const sd::MethodRow* row = Find(method);
   return row && row->Composed;
+}
+
+vtkMeshDenoisingFilter* vtkDenoisingMethods::NewFilter(int method)
+{
+  const sd::MethodRow* row = Find(method);
+  if (!row)
+  {
+    return nullptr;
+  }
+  switch (row->Id)
+  {
+    case sd::Method::NormalDiffusion:
+      return vtkNormalDiffusionFilter::New();
+    case sd::Method::MeanNormal:
+      return vtkMeanNormalFilter::New();
+    case sd::Method::MedianNormal:
+      return vtkMedianNormalFilter::New();
+    case sd::Method::WeightedMedianNormal:
+    {
+      vtkMedianNormalFilter* filter = vtkMedianNormalFilter::New();
+      filter->SetMedianTypeToWeighted();
+      return filter;
+    }
+    case sd::Method::HuberNormal:
+      return vtkHuberNormalFilter::New();
+    case sd::Method::NormalVotingTensor:
+      return vtkNormalVotingTensorFilter::New();
+    case sd::Method::FuzzyVectorMedian:
+      return vtkFuzzyVectorMedianNormalFilter::New();
+    case sd::Method::CurvatureNormalDiffusion:
+      return vtkCurvatureNormalDiffusionFilter::New();
+    case sd::Method::GeometricFidelity:
+      return vtkGeometricFidelityNormalFilter::New();
+    case sd::Method::BilateralNormal:
+      return vtkBilateralNormalFilter::New();
+    case sd::Method::GlobalBilateralNormal:
+    {
+      vtkBilateralNormalFilter* filter = vtkBilateralNormalFilter::New();
+      filter->SetSchemeToGlobal();
+      return filter;
+    }
+    case sd::Method::GuidedNormal:
+      return vtkGuidedNormalFilter::New();
+    case sd::Method::TukeyBilateralNormal:
+      return vtkTukeyBilateralNormalFilter::New();
+    case sd::Method::ThresholdedCosine:
+    {
+      vtkRobustNormalFilter* filter = vtkRobustNormalFilter::New();
+      filter->SetPreset(vtkRobustNormalFilter::THRESHOLDED_COSINE);
+      return filter;
+    }
+    case sd::Method::MeanCurvatureFlow:
+      return vtkMeanCurvatureFlowFilter::New();
+    case sd::Method::AnisotropicMeanCurvature:
+      return vtkAnisotropicMeanCurvatureFilter::New();
+    case sd::Method::BilateralVertex:
+      return vtkBilateralVertexFilter::New();
+    case sd::Method::NonIterativeBilateral:
+      return vtkNonIterativeBilateralFilter::New();
+  }
+  return nullptr;
 }
 
 void vtkDenoisingMethods::PrintSelf(ostream& os, vtkIndent indent)

@@ -6,7 +6,7 @@
  * @brief   the table of methods: who published what, and which filter does it
  *
  * A row per published method for surfaces with faces. Menus, comparisons and tables are made from
- * it. Numbers outside [0, GetNumberOfMethods()) get null or false.
+ * it, and NewFilter makes the filters. Numbers outside [0, GetNumberOfMethods()) get null or false.
  */
 
 #ifndef vtkDenoisingMethods_h
@@ -14,6 +14,8 @@
 
 #include "vtkObject.h"
 #include "vtkSurfaceDenoisingMeshModule.h" // for export macro
+
+class vtkMeshDenoisingFilter;
 
 class VTKSURFACEDENOISINGMESH_EXPORT vtkDenoisingMethods : public vtkObject
 {
@@ -39,6 +41,10 @@ public:
 
   /// A preset of vtkRobustNormalFilter.
   static bool IsComposed(int method);
+
+  /// A filter that is set to the method with the numbers of its paper. The caller owns it.
+  VTK_NEWINSTANCE
+  static vtkMeshDenoisingFilter* NewFilter(int method);
 
 protected:
   vtkDenoisingMethods();
