@@ -5,7 +5,7 @@
 
 #include "Methods.h"
 #include "RandomMeshes.h"
-#include "Textbook.h"
+#include "TextbookOfMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -19,20 +19,6 @@ namespace
 {
 
 constexpr double Tolerance = 1e-9;
-
-Textbook::Mesh ToTextbook(const TriangleMesh& mesh)
-{
-  Textbook::Mesh copy;
-  for (const Vec3& p : mesh.Positions)
-  {
-    copy.Points.push_back({ p[0], p[1], p[2] });
-  }
-  for (const Triangle& t : mesh.Triangles)
-  {
-    copy.Faces.push_back({ int(t[0]), int(t[1]), int(t[2]) });
-  }
-  return copy;
-}
 
 /// The same settings for the textbook; both list their choices in the same order.
 Textbook::Settings ToTextbook(const MeshDenoisingSettings& settings)
@@ -74,21 +60,6 @@ Textbook::Settings ToTextbook(const MeshDenoisingSettings& settings)
   return same;
 }
 
-double Distance(const Vec3& a, const Textbook::Vector& b)
-{
-  return (a - Vec3(b[0], b[1], b[2])).norm();
-}
-
-double SizeOf(const TriangleMesh& mesh)
-{
-  double size = 0.0;
-  for (const Vec3& p : mesh.Positions)
-  {
-    size = std::max(size, p.norm());
-  }
-  return size;
-}
-
 /// True if a difference of one bit can decide what is averaged.
 bool Jumps(const MeshDenoisingSettings& s)
 {
@@ -107,7 +78,7 @@ struct Deviation
 
 Deviation Compare(const TriangleMesh& mesh, const MeshDenoisingSettings& settings)
 {
-  Textbook::Mesh printed = ToTextbook(mesh);
+  Textbook::Mesh printed = ::ToTextbook(mesh);
   std::vector<double> margins;
   const std::vector<Textbook::Vector> expected =
     Textbook::Denoise(printed, ToTextbook(settings), &margins);

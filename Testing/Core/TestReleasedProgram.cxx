@@ -7,7 +7,7 @@
 
 #include "RandomMeshes.h"
 #include "ReleasedTukeyBilateral.h"
-#include "Textbook.h"
+#include "TextbookOfMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -70,22 +70,13 @@ TEST(ReleasedProgram, AgreesWithTheTextbook)
       continue;
     }
     TriangleMesh mesh = recipe.Make(1);
-    Textbook::Mesh printed;
-    for (const Vec3& p : mesh.Positions)
-    {
-      printed.Points.push_back({ p[0], p[1], p[2] });
-    }
-    for (const Triangle& t : mesh.Triangles)
-    {
-      printed.Faces.push_back({ int(t[0]), int(t[1]), int(t[2]) });
-    }
+    Textbook::Mesh printed = ToTextbook(mesh);
     Textbook::DenoiseAsReleased(printed, 0.35, 0.2, 4);
     Denoise(mesh, 4);
     double distance = 0.0;
     for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
     {
-      const Textbook::Vector& q = printed.Points[v];
-      distance = std::max(distance, (mesh.Positions[v] - Vec3(q[0], q[1], q[2])).norm());
+      distance = std::max(distance, Distance(mesh.Positions[v], printed.Points[v]));
     }
     EXPECT_LT(distance, 1e-9) << name;
   }

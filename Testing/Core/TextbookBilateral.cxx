@@ -168,7 +168,7 @@ void NonIterativeBilateral(Mesh& mesh, double spatialScale, double rangeScale)
     const Vector p = mesh.Points[v];
     Vector sum = { 0.0, 0.0, 0.0 };
     double total = 0.0;
-    for (const int f : FacesAround(mesh, connected, stars[v], p, sigmaF))
+    for (const int f : FacesAround(mesh, connected, stars[v], p, 2.0 * sigmaF))
     {
       const double w = areas[f] * Gaussian(Length(centroids[f] - p), 0.5 * sigmaF);
       sum = sum + w * centroids[f];
