@@ -4,8 +4,8 @@
 #
 # Denoises a surface with the ParaView plugin, on a bare Debian 12 (as root or with sudo):
 #
-#   bash Examples/demo.sh                                  a real model that gets noise
-#   bash Examples/demo.sh scan.ply --method robust -n 30   your own: PLY OBJ STL OFF VTP VTK
+#   bash Examples/demo.sh                                     a real model that gets noise
+#   bash Examples/demo.sh scan.ply --method "Guided normal"   your own: PLY OBJ STL OFF VTP VTK
 #
 # Options are those of Examples/Python/demo.py; --help lists them. What is missing is installed, and
 # the plugin is built once, in build-paraview. Results go to $OUT, by default ./out.
@@ -25,9 +25,8 @@ if [ -n "$surface" ]; then
   arguments=("$surface")
 else
   fetch_fandisk || fail "cannot get the model"
-  # Noise in all directions distorts triangles, which Integral Fit evens out again.
-  arguments=(--truth "$fandisk" --vertex-scheme "Integral Fit" --vertex-iterations 20
-    "${fandisk_view[@]}")
+  # Noise in all directions distorts triangles, which the Tukey filter evens out again.
+  arguments=(--truth "$fandisk" --method "Tukey, wide then narrow" "${fandisk_view[@]}")
 fi
 
 echo "-- denoising ${surface:-$fandisk}"

@@ -78,9 +78,9 @@ def parse_options():
     return options
 
 
-def make_peer(method, settings, noisy):
+def make_peer(proxy, settings, noisy):
     """The output of a class of VTK as a source, and how long it took."""
-    peer = getattr(importlib.import_module("vtkmodules.vtkFiltersCore"), method.proxy)()
+    peer = getattr(importlib.import_module("vtkmodules.vtkFiltersCore"), proxy)()
     for name, value in settings.items():
         getattr(peer, "Set" + name)(value)
     peer.SetInputData(Fetch(noisy))
@@ -91,15 +91,6 @@ def make_peer(method, settings, noisy):
     source.GetClientSideObject().SetOutput(peer.GetOutput())
     seconds_to_update(source)
     return source, seconds
-
-
-def make_filter(method, settings, noisy):
-    """A filter after its work, and how long it took."""
-    make = getattr(simple, method.proxy, None)
-    if not make:
-        raise RuntimeError("there is no filter {}".format(method.proxy))
-    denoised = make(Input=noisy, **settings)
-    return denoised, seconds_to_update(denoised)
 
 
 def compare(surface, reference, options):
@@ -131,10 +122,14 @@ def measure(surface, noisy, truth, options):
 
 def run(method, noisy, truth, options):
     """Whatever a method does wrong, the others get their turn."""
-    result = Result(method.caption, method, methods.settings_for(method, options.parameters))
-    make = make_peer if methods.is_peer(method) else make_filter
+    family = options.parameters
+    result = Result(method.caption, method, methods.settings_for(method.settings, family))
     try:
-        result.surface, result.seconds = make(method, result.settings, noisy)
+        if methods.is_peer(method):
+            result.surface, result.seconds = make_peer(method.proxy, result.settings, noisy)
+        else:
+            result.surface = methods.make_filters(method, family, noisy)
+            result.seconds = seconds_to_update(result.surface)
         result.quantities = measure(result.surface, noisy, truth, options)
     except Exception as error:
         # ParaView may say more; the first sentence is enough for a table.
@@ -195,7 +190,9 @@ def write_csv(file, results):
         for result in results:
             method = result.method
             settings = "; ".join("{}={}".format(*item) for item in result.settings.items())
-            writer.writerow([result.caption, method.proxy if method else "",
+            proxies = " > ".join([method.proxy] + [proxy for proxy, _ in method.then]) \
+                if method else ""
+            writer.writerow([result.caption, proxies,
                              method.paper if method else "",
                              int(bool(method and methods.is_peer(method))), settings,
                              result.failure, repr(result.seconds)] +

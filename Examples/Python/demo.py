@@ -9,14 +9,16 @@ surface (denoised.vtp, denoised.ply), a picture (denoising.png) and a table.
 
 import argparse
 
-from paraview.simple import (BilateralNormalFilter, PythonCalculator, RobustNormalFilter, SaveData,
-                             SurfaceComparison)
+from paraview.simple import PythonCalculator, SaveData, SurfaceComparison
 from paraview.servermanager import Fetch
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import methods
 from sidebyside import Panel, save_picture
 from surfaces import (add_noise, add_noise_options, add_output_options, check_written, fail, number,
                       open_surface, output_files, report, seconds_to_update)
+
+COMPOSER = methods.Method("RobustNormalFilter", "robust", "", {"default": {}})
 
 
 def parse_options():
@@ -24,10 +26,14 @@ def parse_options():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("surface", nargs="?", help="noisy surface: PLY OBJ STL OFF VTP VTK")
     add_noise_options(parser)
-    parser.add_argument("-m", "--method", choices=("bilateral", "robust"), default="bilateral")
+    parser.add_argument("-m", "--method", default="Bilateral normal", metavar="NAME",
+                        help="robust (to compose one) or a published one: " + ", ".join(
+                            method.caption for method in methods.METHODS
+                            if not methods.is_peer(method)))
     parser.add_argument("--norm", help="error norm of the robust method, such as Tukey")
     parser.add_argument("-r", "--range-scale", type=float, metavar="SCALE",
-                        help="differences of normals that count as noise (chord length)")
+                        help="differences of normals that count as noise, in the unit of the method")
+    parser.add_argument("--outer-iterations", type=int, metavar="N")
     parser.add_argument("-n", "--normal-iterations", "--iterations", type=int, metavar="N")
     parser.add_argument("-v", "--vertex-iterations", type=int, metavar="N")
     parser.add_argument("--vertex-scheme", metavar="SCHEME",
@@ -38,22 +44,31 @@ def parse_options():
         parser.error("give either a noisy surface or --truth FILE")
     if options.norm and options.method != "robust":
         parser.error("--norm belongs to --method robust")
+    try:
+        options.method = COMPOSER if options.method == "robust" else \
+            methods.find_methods([options.method])[0]
+    except ValueError as error:
+        parser.error(str(error))
+    if methods.is_peer(options.method):
+        parser.error("{} is no filter of the plugin".format(options.method.caption))
     return options
 
 
 def make_filter(options, noisy):
-    settings = {"NumberOfNormalIterations": options.normal_iterations,
+    settings = {"NumberOfOuterIterations": options.outer_iterations,
+                "NumberOfNormalIterations": options.normal_iterations,
                 "NumberOfVertexIterations": options.vertex_iterations,
-                "VertexScheme": options.vertex_scheme, "RangeScale": options.range_scale}
-    if options.method == "robust":
-        settings["Norm"] = options.norm
-        settings["ScaleSource"] = None if options.range_scale is None else "Given"
-    denoise = RobustNormalFilter if options.method == "robust" else BilateralNormalFilter
+                "VertexScheme": options.vertex_scheme, "RangeScale": options.range_scale,
+                "Norm": options.norm}
+    if options.method is COMPOSER and options.range_scale is not None:
+        settings["ScaleSource"] = "Given"
     try:
-        return denoise(Input=noisy, **{name: value for name, value in settings.items()
-                                       if value is not None})
+        return methods.make_filters(options.method, "default", noisy, {
+            name: value for name, value in settings.items() if value is not None})
     except ValueError as error:
         fail(error)
+    except AttributeError:
+        fail("{} does not have one of these settings".format(options.method.caption))
 
 
 def print_table(head, rows):

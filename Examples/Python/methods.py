@@ -4,6 +4,8 @@
 
 from collections import namedtuple
 
+from paraview import simple
+
 # proxy     the filter; a name that starts with vtk is a class of VTK, which runs outside ParaView's
 #           pipeline as a peer
 # caption   what the method is called in the table and in the picture, unlike any other
@@ -11,17 +13,117 @@ from collections import namedtuple
 # settings  values of properties by the family of models that they suit: those of "default" hold for
 #           all, those of "cad" (sharp edges, flat sides) and "organic" (faces, figures, scans)
 #           come on top; a family that is not there has nothing of its own
-Method = namedtuple("Method", "proxy caption paper settings")
+# then      further filters after it: pairs of a proxy and its settings, by family as above
+Method = namedtuple("Method", "proxy caption paper settings then", defaults=((),))
 
 FAMILIES = ("default", "cad", "organic")
 
+# Tukey's norm weighs the normals as max(0, n . n' - T)^2 does: the scale is sqrt(2 (1 - T)).
+COSINE = {"Norm": "Tukey", "ScaleSource": "Given", "RangeScale": 1.0, "SpatialScale": 0.0,
+          "FaceWeighting": "Uniform", "NumberOfNormalIterations": 20,
+          "NumberOfVertexIterations": 50}
+
 METHODS = [
-    Method("RobustNormalFilter", "Sun 2007", "Sun, Rosin, Martin, Langbein 2007", {
-        # With Tukey's norm the weight is the square of (n . n') - T at the threshold T = 0.5.
-        "default": {"Preset": "Thresholded Cosine"},
-    }),
-    Method("BilateralNormalFilter", "Bilateral normals", "Zheng, Fu, Au, Tai 2011", {
+    Method("NormalDiffusionFilter", "Normal diffusion", "Belyaev, Ohtake 2001", {
         "default": {},
+        "cad": {"RangeScale": 40.0, "NumberOfOuterIterations": 40, "NumberOfVertexIterations": 10},
+        "organic": {"RangeScale": 90.0, "NumberOfOuterIterations": 3,
+                    "NumberOfVertexIterations": 10, "Neighborhood": "Vertex Sharing"},
+    }),
+    Method("MeanNormalFilter", "Mean normal", "Yagou, Ohtake, Belyaev 2002", {
+        "default": {},
+    }),
+    Method("MedianNormalFilter", "Median normal", "Yagou, Ohtake, Belyaev 2002", {
+        "default": {},
+        "cad": {"NumberOfOuterIterations": 40},
+        "organic": {"MedianType": "Directional", "NumberOfOuterIterations": 20},
+    }),
+    Method("MedianNormalFilter", "Weighted median", "Yagou, Belyaev, Wei 2002", {
+        "default": {"MedianType": "Weighted"},
+        "cad": {"NumberOfOuterIterations": 40},
+        "organic": {"NumberOfOuterIterations": 20},
+    }),
+    Method("HuberNormalFilter", "Huber normal", "Huber 1981", {
+        "default": {},
+        "cad": {"RangeScale": 0.03, "NumberOfNormalIterations": 20, "NumberOfVertexIterations": 10},
+        "organic": {"NumberOfNormalIterations": 10, "SpatialScale": 1.0,
+                    "NumberOfVertexIterations": 10},
+    }),
+    Method("NormalVotingTensorFilter", "Voting tensor", "Yadav, Reitebuch, Polthier 2017", {
+        "default": {},
+        "cad": {"TensorThreshold": 0.15, "NumberOfOuterIterations": 100},
+        "organic": {"TensorThreshold": 0.3, "NumberOfOuterIterations": 60},
+    }),
+    Method("FuzzyVectorMedianNormalFilter", "Fuzzy vector median", "Shen, Barner 2004", {
+        "default": {},
+        "cad": {"RangeScale": 0.25, "NumberOfOuterIterations": 20, "NumberOfVertexIterations": 5,
+                "AreaWeighting": 1},
+        "organic": {"RangeScale": 1.1, "NumberOfOuterIterations": 2, "AreaWeighting": 1},
+    }),
+    Method("CurvatureNormalDiffusionFilter", "Curvature diffusion",
+           "Tasdizen, Whitaker, Burchard, Osher 2002", {
+               "default": {},
+               "cad": {"RangeScale": 0.6, "NumberOfOuterIterations": 15,
+                       "NumberOfNormalIterations": 10},
+               "organic": {"RangeScale": 1.0, "NumberOfOuterIterations": 1},
+           }),
+    Method("GeometricFidelityNormalFilter", "Geometric fidelity", "Centin, Signoroni 2018", {
+        "default": {},
+        "cad": {"CurvatureType": "Edge", "RangeScale": 0.3, "NumberOfOuterIterations": 40},
+        "organic": {"RangeScale": 0.5, "NumberOfOuterIterations": 5},
+    }),
+    Method("BilateralNormalFilter", "Bilateral normal", "Zheng, Fu, Au, Tai 2011", {
+        "default": {},
+        "cad": {"NumberOfVertexIterations": 20},
+        "organic": {"RangeScale": 0.5, "NumberOfNormalIterations": 4, "NumberOfVertexIterations": 7},
+    }),
+    Method("BilateralNormalFilter", "Global bilateral", "Zheng, Fu, Au, Tai 2011", {
+        "default": {"Scheme": "Global"},
+        "cad": {"Fidelity": 0.0003},
+        "organic": {"RangeScale": 1.0, "Fidelity": 0.03},
+    }),
+    Method("GuidedNormalFilter", "Guided normal", "Zhang, Deng, Zhang, Bouaziz, Liu 2015", {
+        "default": {},
+        "cad": {"RangeScale": 0.2, "NumberOfOuterIterations": 50},
+        "organic": {"RangeScale": 0.6, "NumberOfOuterIterations": 6, "NumberOfVertexIterations": 3},
+    }),
+    Method("TukeyBilateralNormalFilter", "Tukey bilateral", "Yadav, Reitebuch, Polthier 2018", {
+        "default": {},
+        "cad": {"RangeScale": 1.0, "NumberOfOuterIterations": 60, "Relaxation": 0.05},
+        "organic": {"RangeScale": 1.0, "NumberOfOuterIterations": 10},
+    }),
+    Method("RobustNormalFilter", "Thresholded cosine", "Sun, Rosin, Martin, Langbein 2007", {
+        "default": COSINE,
+        "cad": {"NumberOfNormalIterations": 15, "NumberOfVertexIterations": 12},
+        "organic": {"RangeScale": 1.3, "NumberOfNormalIterations": 4,
+                    "NumberOfVertexIterations": 5},
+    }),
+    # A wide scale sorts the faces into sides and rounds nothing off that is sharp; a narrow one then
+    # flattens each side. No paper has it.
+    Method("TukeyBilateralNormalFilter", "Tukey, wide then narrow", "composed", {
+        "default": {"RangeScale": 1.0, "NumberOfOuterIterations": 30, "Relaxation": 0.05},
+        "organic": {"NumberOfOuterIterations": 10, "Relaxation": 0.2},
+    }, [("RobustNormalFilter", {
+        "default": {**COSINE, "RangeScale": 0.2},
+        "organic": {"NumberOfNormalIterations": 1, "NumberOfVertexIterations": 5},
+    })]),
+    Method("MeanCurvatureFlowFilter", "Mean curvature flow", "Desbrun, Meyer, Schroeder, Barr 1999", {
+        "default": {},
+        "organic": {"TimeStep": 0.1, "NumberOfIterations": 5},
+    }),
+    Method("AnisotropicMeanCurvatureFilter", "Anisotropic flow", "Hildebrandt, Polthier 2004", {
+        "default": {},
+        "cad": {"NumberOfIterations": 40, "EdgeThreshold": 0.3},
+    }),
+    Method("BilateralVertexFilter", "Bilateral vertex", "Fleishman, Drori, Cohen-Or 2003", {
+        "default": {},
+        "cad": {"RangeScale": 1.5},
+        "organic": {"RangeScale": 2.0, "NumberOfIterations": 3},
+    }),
+    Method("NonIterativeBilateralFilter", "Non-iterative bilateral", "Jones, Durand, Desbrun 2003", {
+        "default": {},
+        "cad": {"SpatialScale": 1.5},
+        "organic": {"SpatialScale": 1.5},
     }),
     Method("vtkWindowedSincPolyDataFilter", "Windowed sinc (VTK)",
            "Taubin, Zhang, Golub 1996", {
@@ -34,8 +136,21 @@ def is_peer(method):
     return method.proxy.startswith("vtk")
 
 
-def settings_for(method, family):
-    return {**method.settings["default"], **method.settings.get(family, {})}
+def settings_for(settings, family):
+    return {**settings["default"], **settings.get(family, {})}
+
+
+def make_filters(method, family, surface, overrides=None):
+    """The last of the filters of a method, none of which has been executed. Overrides are settings
+    of the first."""
+    settings = {**settings_for(method.settings, family), **(overrides or {})}
+    for proxy, values in [(method.proxy, settings)] + [
+            (proxy, settings_for(values, family)) for proxy, values in method.then]:
+        make = getattr(simple, proxy, None)
+        if not make:
+            raise ValueError("there is no filter {}".format(proxy))
+        surface = make(Input=surface, **values)
+    return surface
 
 
 def find_methods(names):
