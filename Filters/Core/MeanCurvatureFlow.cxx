@@ -49,9 +49,8 @@ public:
     , Stars(prepared.Stars())
     , Boundary(prepared.Edges().BoundaryVertex)
     , FixBoundary(settings.FixBoundary)
-    , TimeStep(
-        settings.TimeStep * prepared.Facts().MeanEdgeLength * prepared.Facts().MeanEdgeLength)
-    , LeastMass(SmallestMass * prepared.Facts().MeanEdgeLength * prepared.Facts().MeanEdgeLength)
+    , TimeStep(settings.TimeStep)
+    , UnitArea(prepared.Facts().MeanEdgeLength * prepared.Facts().MeanEdgeLength)
     , Exec(execution)
     , Laplacian(this->Mesh, this->Stars, execution)
     , Masses(this->Mesh.NumberOfVertices())
@@ -73,7 +72,9 @@ public:
         for (std::size_t v = begin; v < end; ++v)
         {
           const bool fixed = this->FixBoundary && this->Boundary[v];
-          const double mass = std::max(this->Laplacian.Masses()[v], this->LeastMass);
+          const double area =
+            this->UnitArea > 0.0 ? this->Laplacian.Masses()[v] / this->UnitArea : 0.0;
+          const double mass = std::max(area, SmallestMass);
           this->Masses[v] = mass;
           this->Diagonal[v] = fixed ? 0.0 : mass + dt * this->Laplacian.Diagonal()[v];
           this->Rhs[v] = -dt * this->Laplacian.Apply(this->Mesh.Positions, v);
@@ -139,7 +140,9 @@ private:
   const Buffer<unsigned char>& Boundary;
   bool FixBoundary;
   double TimeStep;
-  double LeastMass;
+  /// Areas and times are relative to this, so that the solver, which squares both sides, has
+  /// numbers of moderate size for models of any size.
+  double UnitArea;
   Execution& Exec;
   CotangentLaplacian Laplacian;
   Buffer<double> Masses;

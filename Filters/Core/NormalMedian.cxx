@@ -140,7 +140,8 @@ std::size_t AngularMedians(const NeighborGraph& graph, const TriangleMesh& mesh,
           continue;
         }
         sorted.clear();
-        int total = 0;
+        // Wide enough for any number of repetitions.
+        std::int64_t total = 0;
         auto repetitionsOf = [&](Index j)
         {
           return ShareEdge(mesh.Triangles[i], mesh.Triangles[j]) ? repetitions.EdgeAdjacent
@@ -160,7 +161,7 @@ std::size_t AngularMedians(const NeighborGraph& graph, const TriangleMesh& mesh,
           continue;
         }
         std::sort(sorted.begin(), sorted.end());
-        int passed = 0;
+        std::int64_t passed = 0;
         for (const auto& candidate : sorted)
         {
           passed += repetitionsOf(candidate.second);

@@ -62,8 +62,9 @@ void FilterNormals(const NeighborGraph& graph, const FaceGeometry& geometry,
               std::exp(-distanceSquare / (2.0 * spacings[f] * spacings[f])) * similar * normals[g];
           }
         }
+        // Not a number around a face stored twice, which is at distance 0 from itself.
         const double length = sum.norm();
-        filtered[f] = length < Nothing ? Vec3(0.0, 0.0, 1.0) : Vec3(sum / length);
+        filtered[f] = length >= Nothing ? Vec3(sum / length) : Vec3(0.0, 0.0, 1.0);
       }
     });
 }

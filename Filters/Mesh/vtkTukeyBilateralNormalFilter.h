@@ -65,7 +65,8 @@ public:
   ///@{
   /**
    * Compute what the released program does. Only RangeScale, Relaxation, NumberOfOuterIterations and
-   * NumberOfThreads matter then. Default off.
+   * NumberOfThreads matter then: it starts from the normals of the faces, whatever array is chosen,
+   * and moves the points, whatever UpdateVertices says. Default off.
    */
   vtkSetMacro(AsReleased, bool);
   vtkGetMacro(AsReleased, bool);

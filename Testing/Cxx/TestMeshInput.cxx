@@ -1,19 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Inputs that are not a clean triangle mesh: a sensible result or one clear error for each.
+// Cells of every kind, numbers of every size: every filter gives a sensible result or one clear
+// error for each.
 
-#include "MeshTestTools.h"
+#include "FilterTester.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkBilateralNormalFilter.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkIdList.h"
 #include "vtkStripper.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
-#include "vtkTriangleFilter.h"
 
 #include <cstdlib>
 #include <limits>
@@ -21,65 +14,45 @@
 namespace
 {
 
-using MeshTest::MakeSurface;
-using MeshTest::NoisySphere;
-using MeshTest::PointDistance;
-using MeshTest::Roughness;
-using Polygons = std::vector<std::vector<vtkIdType>>;
+using namespace MeshTest;
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
 
-class Tester
+vtkSmartPointer<vtkPolyData> Sphere() { return NoisySphere(16, 0.015); }
+
+vtkSmartPointer<vtkPolyData> OneTriangle(const Ids& polygon = { 0, 1, 2 })
 {
-public:
-  Tester() { this->Seen->Watch(this->Filter); }
+  return MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { polygon });
+}
 
-  vtkPolyData* Denoise(vtkPolyData* input)
-  {
-    return MeshTest::Run(this->Filter, input, this->Seen);
-  }
-  /// The result is finite and nothing was said.
-  bool Quiet(vtkPolyData* input)
-  {
-    vtkPolyData* output = this->Denoise(input);
-    return this->Seen->Errors.empty() && this->Seen->Warnings.empty() &&
-      output->GetNumberOfCells() == input->GetNumberOfCells() &&
-      std::isfinite(PointDistance(input, output));
-  }
-  /// One error that contains the text, and no output.
-  bool Refuses(vtkPolyData* input, const std::string& text)
-  {
-    vtkPolyData* output = this->Denoise(input);
-    return this->Seen->Errors.find(text) != std::string::npos && output->GetNumberOfPoints() == 0;
-  }
-
-  vtkNew<vtkBilateralNormalFilter> Filter;
-  vtkNew<MeshTest::Messages> Seen;
-};
-
-void TestNothingToDo(Tester& test, int& failures)
+void TestNothingToDo(const MeshFilter& about, int& failures)
 {
+  FilterTester test(about);
   vtkNew<vtkPolyData> empty;
   CHECK(test.Quiet(empty));
 
   auto cloud = MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 } }, {});
   vtkPolyData* output = test.Denoise(cloud);
   CHECK(output->GetNumberOfPoints() == 2 && PointDistance(cloud, output) == 0.0);
+  CHECK(test.Seen->Errors.empty());
   CHECK(test.Seen->Warnings.find("no polygons") != std::string::npos);
 
-  auto triangle = MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
-  CHECK(test.Quiet(triangle) && PointDistance(triangle, test.Denoise(triangle)) == 0.0);
+  auto triangle = OneTriangle();
+  CHECK(test.Quiet(triangle));
+  CHECK(about.Is(AS_RELEASED) || PointDistance(triangle, test.Denoise(triangle)) == 0.0);
 }
 
-void TestPolygons(Tester& test, int& failures)
+void TestPolygons(const MeshFilter& about, int& failures)
 {
-  auto quads = MeshTest::QuadGrid(20, 0.2);
+  FilterTester test(about);
+  auto quads = QuadGrid(12, 0.2);
   CHECK(test.Quiet(quads));
   vtkPolyData* output = test.Denoise(quads);
   CHECK(output->GetPolys()->GetMaxCellSize() == 4);
-  CHECK(output->GetCellData()->GetArray("FilteredNormals")->GetNumberOfTuples() == 400);
-  CHECK(PointDistance(quads, output) > 0.01);
+  CHECK(PointDistance(quads, output) > 1e-3);
+  CHECK(test.Filter->GetNumberOfBoundaryEdges() == 48);
+  CHECK(about.Is(AS_RELEASED) || output->GetPoint(0)[2] == quads->GetPoint(0)[2]);
 
   // An L-shaped hexagon beside a pentagon: a fan would cover area outside of the first.
   auto large = MakeSurface({ { 0, 0, 0.1 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 },
@@ -88,54 +61,111 @@ void TestPolygons(Tester& test, int& failures)
   CHECK(test.Quiet(large));
 
   // Strips move as the triangles that they are made of.
-  auto sphere = NoisySphere();
+  auto sphere = Sphere();
   vtkNew<vtkStripper> stripper;
   stripper->SetInputData(sphere);
   stripper->Update();
   vtkPolyData* strips = stripper->GetOutput();
   CHECK(strips->GetNumberOfStrips() > 0);
-  vtkNew<vtkPolyData> fromTriangles;
-  fromTriangles->DeepCopy(test.Denoise(sphere));
+  auto fromTriangles = Copy(test.Denoise(sphere));
   CHECK(test.Quiet(strips));
   output = test.Denoise(strips);
   CHECK(PointDistance(fromTriangles, output) < 1e-6);
   CHECK(output->GetNumberOfStrips() == strips->GetNumberOfStrips());
 }
 
-void TestBadNumbers(Tester& test, int& failures)
+void TestBadNumbers(const MeshFilter& about, int& failures)
 {
+  FilterTester test(about);
   for (const double bad : { nan, infinity, -infinity })
   {
-    auto sphere = NoisySphere();
+    auto sphere = Sphere();
     sphere->GetPoints()->SetPoint(17, 0.0, bad, 0.0);
     CHECK(test.Refuses(sphere, "Point 17"));
-    auto quads = MeshTest::QuadGrid(4, 0.1);
+    auto quads = QuadGrid(4, 0.1);
     quads->GetPoints()->SetPoint(7, 0.0, bad, 0.0);
     CHECK(test.Refuses(quads, "Point 7"));
   }
   // Without a polygon the point concerns nobody.
-  auto sphere = NoisySphere();
-  const vtkIdType stray = sphere->GetPoints()->InsertNextPoint(nan, 0.0, 0.0);
+  auto sphere = Sphere();
+  const vtkIdType stray = sphere->GetPoints()->InsertNextPoint(nan, 0.0, infinity);
   vtkPolyData* output = test.Denoise(sphere);
-  CHECK(test.Seen->Errors.empty());
-  CHECK(std::isnan(output->GetPoint(stray)[0]));
-  CHECK(output->GetPoint(0)[2] != sphere->GetPoint(0)[2]);
+  CHECK(test.SaidNothing());
+  CHECK(std::isnan(output->GetPoint(stray)[0]) && output->GetPoint(stray)[2] == infinity);
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < stray; ++i)
+  {
+    double p[3];
+    double q[3];
+    sphere->GetPoint(i, p);
+    output->GetPoint(i, q);
+    const double d = std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
+    largest = std::isfinite(d) ? std::max(largest, d) : infinity;
+  }
+  CHECK(largest > 1e-4 && std::isfinite(largest));
 
-  auto missing = MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 3 } });
-  CHECK(test.Refuses(missing, "Cell 0"));
-  missing =
-    MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 1, 2, -1 } });
+  CHECK(test.Refuses(OneTriangle({ 0, 1, 3 }), "Cell 0"));
+  auto missing = OneTriangle();
+  const vtkIdType negative[4] = { 0, 1, 2, -1 };
+  missing->GetPolys()->InsertNextCell(4, negative);
   CHECK(test.Refuses(missing, "Cell 1"));
 
   auto huge = MakeSurface({ { 0, 0, 0 }, { 1e200, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
   CHECK(test.Refuses(huge, "too large"));
 }
 
-void TestDegenerateFaces(Tester& test, int& failures)
+/// From atoms to galaxies, and further than anybody goes: the result is finite, and where products
+/// of four lengths are numbers it is the same as for size 1.
+void TestSizes(const MeshFilter& about, int& failures)
 {
+  FilterTester test(about);
+  vtkNew<vtkTransform> identity;
+  auto sphere = Moved(Sphere(), identity);
+  auto expected = Copy(test.Denoise(sphere));
+  for (const double size : { 1e-200, 1e-90, 1e-60, 1e-9, 1e9, 1e60, 1e90, 9e99 })
+  {
+    vtkNew<vtkTransform> scale;
+    scale->Scale(size, size, size);
+    auto scaled = Moved(sphere, scale);
+    vtkPolyData* output = test.Denoise(scaled);
+    CHECK(!test.Seen->Errors.empty() || std::isfinite(PointDistance(scaled, output)));
+    if (!about.Is(AS_RELEASED) && size > 1e-70 && size < 1e70)
+    {
+      CHECK(PointDistance(Moved(expected, scale), output) < 1e-6 * size);
+    }
+  }
+  // Far from the origin little is left of the shape in single precision.
+  vtkNew<vtkTransform> shift;
+  for (const double distance : { 1e3, 1e5, 1e12 })
+  {
+    shift->Identity();
+    shift->Translate(distance, -distance, distance);
+    auto far = Copy(sphere);
+    far->GetPoints()->SetDataTypeToFloat();
+    shift->TransformPoints(sphere->GetPoints(), far->GetPoints());
+    CHECK(test.Quiet(far));
+  }
+}
+
+/// Points that keep their place, as those of which no new one could be computed.
+int Unmoved(vtkPolyData* input, vtkPolyData* output)
+{
+  int count = 0;
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    input->GetPoint(i, p);
+    count += vtkMath::Distance2BetweenPoints(p, output->GetPoint(i)) == 0.0;
+  }
+  return count;
+}
+
+void TestDegenerateFaces(const MeshFilter& about, int& failures)
+{
+  FilterTester test(about);
   // A repeated vertex, three vertices on a line, two vertices at one place, and a polygon of two
   // points.
-  auto sphere = NoisySphere();
+  auto sphere = Sphere();
   vtkNew<vtkIdList> corners;
   sphere->GetPolys()->GetCellAtId(100, corners);
   const vtkIdType a = corners->GetId(0);
@@ -147,140 +177,75 @@ void TestDegenerateFaces(Tester& test, int& failures)
   const vtkIdType middle = sphere->GetPoints()->InsertNextPoint(0.5 * (p[0] + q[0]),
     0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]));
   const vtkIdType twin = sphere->GetPoints()->InsertNextPoint(p);
-  const Polygons degenerate{ { a, a, b }, { a, a, a }, { a, middle, b }, { a, twin, b } };
+  const std::vector<Ids> degenerate{ { a, a, b }, { a, a, a }, { a, middle, b }, { a, twin, b } };
   for (const auto& polygon : degenerate)
   {
     sphere->GetPolys()->InsertNextCell(3, polygon.data());
   }
   CHECK(test.Quiet(sphere));
+  CHECK(Unmoved(sphere, test.Denoise(sphere)) < 10);
   // In single precision the middle of an edge is not quite on it.
   CHECK(test.Filter->GetNumberOfDegenerateFaces() >= 3);
 
   auto edge = MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1 }, { 0, 1, 2 } });
   CHECK(test.Quiet(edge));
+  CHECK(test.Quiet(MakeSurface({ { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } }, { { 0, 1, 2 } })));
+  CHECK(test.Quiet(MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } },
+    { { 0, 1, 2 }, { 1, 2, 3 }, { 0, 0, 0 } })));
 
-  auto allFlat = MakeSurface({ { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } }, { { 0, 1, 2 } });
-  CHECK(test.Quiet(allFlat));
+  // A face twice, and one with a back: centroids that coincide.
+  CHECK(test.Quiet(
+    MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 1, 2 } })));
+  CHECK(test.Quiet(
+    MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 2, 1, 0 } })));
+  auto doubled = Sphere();
+  for (vtkIdType cell = 0; cell < 20; ++cell)
+  {
+    doubled->GetPolys()->GetCellAtId(7 * cell, corners);
+    doubled->GetPolys()->InsertNextCell(corners);
+  }
+  CHECK(test.Quiet(doubled));
+  const vtkIdType lonely = doubled->GetPoints()->InsertNextPoint(1.0, 1.0, 1.0);
+  doubled->GetPoints()->InsertNextPoint(1.1, 1.0, 1.0);
+  doubled->GetPoints()->InsertNextPoint(1.0, 1.1, 1.0);
+  const vtkIdType leaf[3] = { lonely, lonely + 1, lonely + 2 };
+  doubled->GetPolys()->InsertNextCell(3, leaf);
+  doubled->GetPolys()->InsertNextCell(3, leaf);
+  doubled->Modified();
+  CHECK(test.Quiet(doubled));
+  CHECK(Unmoved(doubled, test.Denoise(doubled)) < 10);
+  LimitIterations(test.Filter, 1); // more may hide what became of the doubled face
+  CHECK(test.Quiet(doubled));
 }
 
-/// Every triangle has points of its own, as in an STL file.
-vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* surface)
+void TestStorage(const MeshFilter& about, int& failures)
 {
-  std::vector<std::array<double, 3>> points;
-  Polygons triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    surface->GetCellPoints(cell, ids);
-    std::vector<vtkIdType> triangle;
-    for (vtkIdType i = 0; i < 3; ++i)
-    {
-      double p[3];
-      surface->GetPoint(ids->GetId(i), p);
-      triangle.push_back(static_cast<vtkIdType>(points.size()));
-      points.push_back({ p[0], p[1], p[2] });
-    }
-    triangles.push_back(triangle);
-  }
-  return MakeSurface(points, triangles);
-}
-
-void TestTopology(Tester& test, int& failures)
-{
-  auto sphere = NoisySphere();
-  vtkNew<vtkPolyData> clean;
-  clean->DeepCopy(test.Denoise(sphere));
-  CHECK(Roughness(clean) < 0.7 * Roughness(sphere));
-
-  // Duplicate points: the soup moves as the mesh it shows.
-  auto soup = Soup(sphere);
-  CHECK(test.Quiet(soup));
-  CHECK(PointDistance(Soup(clean), test.Denoise(soup)) < 1e-6);
-  CHECK(test.Filter->GetNumberOfSeamPoints() ==
-    soup->GetNumberOfPoints() - sphere->GetNumberOfPoints());
-
-  // Inconsistent orientation: every third face turned round, same points, turned normals.
-  vtkNew<vtkPolyData> turned;
-  turned->DeepCopy(sphere);
-  turned->BuildCells();
-  for (vtkIdType cell = 0; cell < turned->GetNumberOfCells(); cell += 3)
-  {
-    turned->ReverseCell(cell);
-  }
-  CHECK(test.Quiet(turned));
-  vtkPolyData* output = test.Denoise(turned);
-  CHECK(PointDistance(clean, output) < 1e-6);
-  CHECK(test.Filter->GetNumberOfTurnedFaces() > 0);
-  vtkDataArray* normals = output->GetCellData()->GetArray("FilteredNormals");
-  vtkDataArray* expected = clean->GetCellData()->GetArray("FilteredNormals");
-  for (vtkIdType cell = 0; cell < turned->GetNumberOfCells(); ++cell)
-  {
-    double m[3];
-    double n[3];
-    normals->GetTuple(cell, m);
-    expected->GetTuple(cell, n);
-    const double sign = cell % 3 == 0 ? -1.0 : 1.0;
-    CHECK(sign * vtkMath::Dot(m, n) > 1.0 - 1e-6);
-  }
-
-  // Several components: each as if it were alone.
-  vtkNew<vtkTransform> aside;
-  aside->Translate(3.0, 0.0, 0.0);
-  vtkNew<vtkTransformPolyDataFilter> moved;
-  moved->SetTransform(aside);
-  moved->SetInputData(sphere);
-  vtkNew<vtkAppendPolyData> both;
-  both->AddInputData(sphere);
-  both->AddInputConnection(moved->GetOutputPort());
-  both->Update();
-  CHECK(test.Quiet(both->GetOutput()));
-  output = test.Denoise(both->GetOutput());
-  double largest = 0.0;
-  for (vtkIdType i = 0; i < clean->GetNumberOfPoints(); ++i)
-  {
-    largest = std::max(largest,
-      std::sqrt(vtkMath::Distance2BetweenPoints(clean->GetPoint(i),
-        std::array<double, 3>{ output->GetPoint(i)[0], output->GetPoint(i)[1],
-          output->GetPoint(i)[2] }
-          .data())));
-  }
-  CHECK(largest < 1e-5);
-
-  // Three sheets at one edge.
-  auto sheets =
-    MakeSurface({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0.5 }, { -1, 0.1, 0.5 }, { 0, 1, 0.5 } },
-      { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });
-  CHECK(test.Quiet(sheets));
-  CHECK(test.Filter->GetNumberOfNonManifoldEdges() == 1);
-}
-
-void TestStorage(Tester& test, int& failures)
-{
-  auto sphere = NoisySphere();
-  vtkNew<vtkPolyData> expected;
-  expected->DeepCopy(test.Denoise(sphere));
+  FilterTester test(about);
+  auto sphere = Sphere();
+  auto expected = Copy(test.Denoise(sphere));
   for (const bool wide : { false, true })
   {
-    vtkNew<vtkPolyData> copy;
-    copy->DeepCopy(sphere);
+    auto copy = Copy(sphere);
     CHECK(
       wide ? copy->GetPolys()->ConvertTo64BitStorage() : copy->GetPolys()->ConvertTo32BitStorage());
     CHECK(PointDistance(expected, test.Denoise(copy)) == 0.0);
   }
 
   // Integer coordinates become doubles, floats stay floats.
-  vtkNew<vtkPolyData> grid;
-  grid->DeepCopy(MeshTest::QuadGrid(6, 0.0));
-  vtkNew<vtkPoints> integers;
-  integers->SetDataType(VTK_INT);
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  for (const int type : { VTK_INT, VTK_UNSIGNED_SHORT, VTK_LONG_LONG })
   {
-    const double* p = grid->GetPoint(i);
-    integers->InsertNextPoint(p[0], p[1], i % 2 == 0 ? 0.0 : 1.0);
+    auto grid = QuadGrid(6, 0.0);
+    vtkNew<vtkPoints> integers;
+    integers->SetDataType(type);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      const double* p = grid->GetPoint(i);
+      integers->InsertNextPoint(p[0], p[1], i % 2 == 0 ? 0.0 : 1.0);
+    }
+    grid->SetPoints(integers);
+    CHECK(test.Quiet(grid));
+    CHECK(test.Denoise(grid)->GetPoints()->GetDataType() == VTK_DOUBLE);
   }
-  grid->SetPoints(integers);
-  CHECK(test.Quiet(grid));
-  CHECK(test.Denoise(grid)->GetPoints()->GetDataType() == VTK_DOUBLE);
   CHECK(test.Denoise(sphere)->GetPoints()->GetDataType() == VTK_FLOAT);
 }
 
@@ -289,12 +254,11 @@ void TestStorage(Tester& test, int& failures)
 int TestMeshInput(int, char*[])
 {
   int failures = 0;
-  Tester test;
-  TestNothingToDo(test, failures);
-  TestPolygons(test, failures);
-  TestBadNumbers(test, failures);
-  TestDegenerateFaces(test, failures);
-  TestTopology(test, failures);
-  TestStorage(test, failures);
+  TestAllMeshFilters(TestNothingToDo, failures);
+  TestAllMeshFilters(TestPolygons, failures);
+  TestAllMeshFilters(TestBadNumbers, failures);
+  TestAllMeshFilters(TestSizes, failures);
+  TestAllMeshFilters(TestDegenerateFaces, failures);
+  TestAllMeshFilters(TestStorage, failures);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -2,11 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every filter runs from paraview.simple, on a sphere and on an OFF file, and does its work."""
 
+from paraview import servermanager, simple
 from paraview.simple import (AnisotropicMeanCurvatureFilter, BilateralNormalFilter,
-                             BilateralVertexFilter, MeanCurvatureFlowFilter,
-                             NonIterativeBilateralFilter, NormalVertexUpdate, OpenDataFile,
+                             MeanCurvatureFlowFilter, NormalVertexUpdate, OpenDataFile,
                              RobustNormalFilter, Sphere, SurfaceComparison, SurfaceNoise)
 from paraview.servermanager import Fetch
+from surfacedenoising import vtkDenoisingMethods as methods
+
+# What is in the menu beside the filters that denoise.
+OTHERS = {"NormalVertexUpdate", "SurfaceComparison", "SurfaceNoise"}
 
 
 def write_cube(name, n):
@@ -45,6 +49,31 @@ def mean_angle(surface, truth):
     return information(SurfaceComparison(Input=surface, Reference=truth), "MeanNormalAngle")
 
 
+def menu():
+    """The names of the filters in the menu of the plugin."""
+    manager = servermanager.ProxyManager().SMProxyManager
+    iterator = manager.GetProxyDefinitionManager().NewSingleGroupIterator("filters")
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        hints = iterator.GetProxyHints()
+        shown = hints and hints.FindNestedElementByName("ShowInMenu")
+        if shown and shown.GetAttribute("category") == "Surface Denoising":
+            yield iterator.GetProxyName()
+        iterator.GoToNextItem()
+
+
+def check_all_methods(noisy, truth, before):
+    """Each makes the surface better, with its defaults and as a preset."""
+    filters = {methods.GetFilter(i) for i in range(methods.GetNumberOfMethods())}
+    assert filters == set(menu()) - OTHERS, filters.symmetric_difference(set(menu()) - OTHERS)
+    results = [getattr(simple, name)(Input=noisy) for name in sorted(filters)]
+    results += [RobustNormalFilter(Input=noisy, Preset=methods.GetName(i))
+                for i in range(methods.GetNumberOfMethods()) if methods.IsComposed(i)]
+    for result in results:
+        after = mean_angle(result, truth)
+        assert after < 0.7 * before, (result.GetXMLName(), before, after)
+
+
 def check(truth):
     noisy = SurfaceNoise(Input=truth, NoiseType="Gaussian", Direction="Vertex Normals", Size=0.2)
     assert information(noisy, "UnitLength") > 0.0
@@ -61,9 +90,8 @@ def check(truth):
         after = mean_angle(result, truth)
         assert after < 0.6 * before, (result.GetXMLName(), before, after)
 
-    for result in (AnisotropicMeanCurvatureFilter(Input=noisy),
-                   AnisotropicMeanCurvatureFilter(Input=noisy, PrescribeCurvature=1),
-                   BilateralVertexFilter(Input=noisy), NonIterativeBilateralFilter(Input=noisy),
+    check_all_methods(noisy, truth, before)
+    for result in (AnisotropicMeanCurvatureFilter(Input=noisy, PrescribeCurvature=1),
                    MeanCurvatureFlowFilter(Input=noisy, TimeStep=0.05, RestoreVolume=1)):
         after = mean_angle(result, truth)
         assert after < 0.9 * before, (result.GetXMLName(), before, after)

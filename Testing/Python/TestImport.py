@@ -11,7 +11,7 @@ classes = [name for name in dir(surfacedenoising) if name.startswith("vtk") and
 assert "vtkOFFReader" in classes, classes
 for name in classes:
     cls = getattr(surfacedenoising, name)
-    assert issubclass(cls, vtkAlgorithm), name
+    assert issubclass(cls, vtkAlgorithm) or name == "vtkDenoisingMethods", name
     try:
         assert cls().GetClassName() == name, name
     except TypeError as error:
