@@ -4,8 +4,6 @@
 
 from collections import namedtuple
 
-from paraview import simple
-
 # proxy     the filter; a name that starts with vtk is a class of VTK, which runs outside ParaView's
 #           pipeline as a peer
 # caption   what the method is called in the table and in the picture, unlike any other
@@ -143,6 +141,7 @@ def settings_for(settings, family):
 def make_filters(method, family, surface, overrides=None):
     """The last of the filters of a method, none of which has been executed. Overrides are settings
     of the first."""
+    from paraview import simple  # here, since the list is of use without ParaView
     settings = {**settings_for(method.settings, family), **(overrides or {})}
     for proxy, values in [(method.proxy, settings)] + [
             (proxy, settings_for(values, family)) for proxy, values in method.then]:
