@@ -99,26 +99,26 @@ bool SetNorm(vtkMeshDenoisingFilter* filter, int norm)
 
 bool SetOuterIterations(vtkMeshDenoisingFilter* filter, int count)
 {
-  return SetOn<vtkFaceNormalFilter>(
-    filter, [count](auto* one) { one->SetNumberOfOuterIterations(count); });
+  return SetOn<vtkFaceNormalFilter>(filter,
+    [count](auto* one) { one->SetNumberOfOuterIterations(count); });
 }
 
 bool SetNormalIterations(vtkMeshDenoisingFilter* filter, int count)
 {
-  return SetOn<vtkFaceNormalFilter>(
-    filter, [count](auto* one) { one->SetNumberOfNormalIterations(count); });
+  return SetOn<vtkFaceNormalFilter>(filter,
+    [count](auto* one) { one->SetNumberOfNormalIterations(count); });
 }
 
 bool SetVertexIterations(vtkMeshDenoisingFilter* filter, int count)
 {
-  return SetOn<vtkFaceNormalFilter>(
-    filter, [count](auto* one) { one->SetNumberOfVertexIterations(count); });
+  return SetOn<vtkFaceNormalFilter>(filter,
+    [count](auto* one) { one->SetNumberOfVertexIterations(count); });
 }
 
 bool SetMaximumDisplacement(vtkMeshDenoisingFilter* filter, double length)
 {
-  return SetOn<vtkFaceNormalFilter>(
-    filter, [length](auto* one) { one->SetMaximumDisplacement(length); });
+  return SetOn<vtkFaceNormalFilter>(filter,
+    [length](auto* one) { one->SetMaximumDisplacement(length); });
 }
 
 }

@@ -32,11 +32,11 @@ public:
 };
 
 /**
- * Builds rows in parallel. makeAppend() is called once for every stretch of rows that a thread takes
- * and returns a function for it, which may own memory to work in: append(i, ids) adds the entries of
- * row i at the end of ids and must not look at what is there already. Every chunk of rows, the least
- * that a thread takes, is collected on its own and then copied to its place, so that each row is
- * computed once although its length is not known beforehand.
+ * Builds rows in parallel. makeAppend() is called once for every stretch of rows that a thread
+ * takes and returns a function for it, which may own memory to work in: append(i, ids) adds the
+ * entries of row i at the end of ids and must not look at what is there already. Every chunk of
+ * rows, the least that a thread takes, is collected on its own and then copied to its place, so
+ * that each row is computed once although its length is not known beforehand.
  */
 template <typename MakeAppend>
 CompressedRows BuildRowsWith(Execution& execution, std::size_t count, MakeAppend makeAppend,

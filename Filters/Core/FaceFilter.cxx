@@ -145,17 +145,17 @@ void FaceFilter::FindNeighbors(Execution& execution)
   }
   if (IsBall(wanted))
   {
-    this->Ball = FacesWithinRadius(
-      wanted == FaceNeighborhood::Radius ? this->VertexSharing : this->EdgeAdjacent,
+    this->Ball = FacesWithinRadius(wanted == FaceNeighborhood::Radius ? this->VertexSharing
+                                                                      : this->EdgeAdjacent,
       this->Geometry.Centroids, settings.Radius * this->Distance, execution);
   }
 }
 
 const NeighborGraph& FaceFilter::Graph() const
 {
-  return IsBall(this->Settings.Neighborhood)                     ? this->Ball
+  return IsBall(this->Settings.Neighborhood)                        ? this->Ball
     : this->Settings.Neighborhood == FaceNeighborhood::EdgeAdjacent ? this->EdgeAdjacent
-                                                                 : this->VertexSharing;
+                                                                    : this->VertexSharing;
 }
 
 void FaceFilter::SetGeometry(NormalFilter& filter, Execution& execution)
@@ -227,7 +227,8 @@ bool FaceFilter::Iterate(const NormalFilter& filter, const Buffer<Vec3>& normals
       kept = filter.Sweep(fields, filtered, execution);
       break;
     case NormalOperator::GlobalSolve:
-      return SolveForNormals(filter, fields, this->Geometry.Areas, settings.Global, filtered, kept, this->Report.SolverIterations, execution, first, last);
+      return SolveForNormals(filter, fields, this->Geometry.Areas, settings.Global, filtered, kept,
+        this->Report.SolverIterations, execution, first, last);
     case NormalOperator::Median:
       kept = 0;
       if (settings.Median == MedianKind::Directional)
@@ -236,11 +237,13 @@ bool FaceFilter::Iterate(const NormalFilter& filter, const Buffer<Vec3>& normals
       }
       else
       {
-        kept = AngularMedians(graph, this->Mesh, settings.Repetitions, normals, filtered, execution);
+        kept =
+          AngularMedians(graph, this->Mesh, settings.Repetitions, normals, filtered, execution);
       }
       break;
     case NormalOperator::VotingTensor:
-      kept = VoteOnNormals(filter, fields, this->Geometry.Centroids, settings.Tensor, filtered, execution);
+      kept = VoteOnNormals(filter, fields, this->Geometry.Centroids, settings.Tensor, filtered,
+        execution);
       break;
   }
   return true;
@@ -255,8 +258,8 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, Execution& execution, double first, 
   weights.SpatialSigma = settings.SpatialScale * this->Distance;
   weights.Weighting = settings.Weighting;
   weights.IncludeOwn = settings.IncludeOwn;
-  weights.Step = settings.Operator == NormalOperator::Diffusion ? NormalStep::Diffusion
-                                                                : NormalStep::Average;
+  weights.Step =
+    settings.Operator == NormalOperator::Diffusion ? NormalStep::Diffusion : NormalStep::Average;
   weights.StepLength = settings.StepLength;
   weights.TangentialFlux = settings.TangentialFlux;
   NormalFilter filter(this->Graph(), weights);

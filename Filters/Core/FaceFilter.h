@@ -6,8 +6,8 @@
  * @brief The first stage on a triangle mesh: every way there is to filter face normals.
  *
  * A way is a neighbourhood, the weights of the normal filter, a guidance that the weights look at,
- * and an operator that makes new normals of the weights. Lengths are in d, the mean distance between
- * the centroids of edge-adjacent faces, unless said otherwise.
+ * and an operator that makes new normals of the weights. Lengths are in d, the mean distance
+ * between the centroids of edge-adjacent faces, unless said otherwise.
  */
 
 #ifndef SurfaceDenoising_FaceFilter_h
@@ -67,7 +67,7 @@ enum class CurvatureUnit : int
 struct FaceFilterSettings
 {
   FaceNeighborhood Neighborhood = FaceNeighborhood::VertexSharing;
-  double Radius = 2.0; ///< of the neighbourhoods in a ball, in d
+  double Radius = 2.0;           ///< of the neighbourhoods in a ball, in d
   bool RenewNeighborhood = true; ///< look for neighbours in a ball again after the vertices moved
 
   NormId Norm = NormId::Gaussian;
@@ -77,7 +77,7 @@ struct FaceFilterSettings
   ScaleEstimator Estimator = ScaleEstimator::MedianAbsoluteDeviation; ///< how, if from the data
   NormalArgument Argument = NormalArgument::Chord;
   CurvatureUnit Unit = CurvatureUnit::CentroidDistance;
-  double SpatialScale = 1.0; ///< sigma of the spatial Gaussian in d; 0: no spatial kernel
+  double SpatialScale = 1.0;      ///< sigma of the spatial Gaussian in d; 0: no spatial kernel
   bool LocalSpatialScale = false; ///< in the mean distance of each face to its edge-adjacent ones
   SiteWeight Weighting = SiteWeight::Area;
   bool IncludeOwn = false;
@@ -110,8 +110,8 @@ class FaceFilter
 public:
   /// Everything must outlive the filter. meanEdgeLength is l.
   FaceFilter(const TriangleMesh& mesh, const CompressedRows& stars,
-    const Buffer<unsigned char>& boundary, double meanEdgeLength, const FaceFilterSettings& settings,
-    FaceFilterReport& report);
+    const Buffer<unsigned char>& boundary, double meanEdgeLength,
+    const FaceFilterSettings& settings, FaceFilterReport& report);
 
   /**
    * Looks at the mesh as it is now. normals get those of the faces, unless they hold normals to
@@ -143,8 +143,8 @@ private:
 
   bool Renewed = false;
   FaceGeometry Geometry;
-  double Distance = 0.0; ///< d of the present positions
-  double Unit = 1.0;     ///< what scales of the norm are divided by
+  double Distance = 0.0;       ///< d of the present positions
+  double Unit = 1.0;           ///< what scales of the norm are divided by
   NeighborGraph VertexSharing; ///< if the neighbourhood or the guidance needs it
   NeighborGraph EdgeAdjacent;  ///< if the neighbourhood needs it
   NeighborGraph Ball;          ///< the neighbourhood, if it is one in a ball

@@ -113,8 +113,8 @@ Buffer<double> Energies(const Buffer<double>& areas, bool areaEnergy, Execution&
 }
 
 bool SolveForNormals(const NormalFilter& filter, const NormalFilter::Fields& fields,
-  const Buffer<double>& areas, const GlobalSolveSettings& settings, Buffer<Vec3>& filtered, std::size_t& kept, std::size_t& iterations, Execution& execution,
-  double first, double last)
+  const Buffer<double>& areas, const GlobalSolveSettings& settings, Buffer<Vec3>& filtered,
+  std::size_t& kept, std::size_t& iterations, Execution& execution, double first, double last)
 {
   const std::size_t sites = filter.Neighbors().NumberOfRows();
   const double lambda = settings.Fidelity;

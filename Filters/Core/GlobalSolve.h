@@ -11,8 +11,8 @@
  *   (1 - lambda) sum_i D_i |(L N)_i|^2  +  lambda sum_i D_i |N_i - n_i|^2
  *
  * and are then normalised. Y. Zheng, H. Fu, O. K.-C. Au, C.-L. Tai, "Bilateral normal filtering for
- * mesh denoising", IEEE TVCG 17(10), 2011. The system ((1 - lambda) L^T D L + lambda D) N = lambda D
- * n is symmetric and positive definite. It is solved by conjugate gradients without ever being
+ * mesh denoising", IEEE TVCG 17(10), 2011. The system ((1 - lambda) L^T D L + lambda D) N = lambda
+ * D n is symmetric and positive definite. It is solved by conjugate gradients without ever being
  * formed: any factorisation fills in and takes hundreds of times as long.
  */
 
@@ -39,8 +39,8 @@ struct GlobalSolveSettings
  * false if the execution asked to stop. iterations is increased by the number of steps.
  */
 bool SolveForNormals(const NormalFilter& filter, const NormalFilter::Fields& fields,
-  const Buffer<double>& areas, const GlobalSolveSettings& settings, Buffer<Vec3>& filtered, std::size_t& kept, std::size_t& iterations, Execution& execution,
-  double first, double last);
+  const Buffer<double>& areas, const GlobalSolveSettings& settings, Buffer<Vec3>& filtered,
+  std::size_t& kept, std::size_t& iterations, Execution& execution, double first, double last);
 
 }
 

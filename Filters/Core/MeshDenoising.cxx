@@ -34,8 +34,8 @@ private:
 };
 
 /// The stages in turn. Returns false if the execution asked to stop.
-bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals,
-  const MeshDenoisingSettings& settings, MeshDenoisingReport& report, Execution& execution)
+bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisingSettings& settings,
+  MeshDenoisingReport& report, Execution& execution)
 {
   TriangleMesh& mesh = prepared.Mesh();
   const EdgeCensus& edges = prepared.Edges();

@@ -25,12 +25,14 @@ struct MeshDenoisingSettings : FaceFilterSettings
 {
   /// One outer iteration is the schedule "normals first"; more alternate between the two stages.
   int OuterIterations = 1;
-  int VertexIterations = 10; ///< per outer iteration; 0 leaves the vertices alone
+  int VertexIterations = 10;     ///< per outer iteration; 0 leaves the vertices alone
   VertexUpdateSettings Vertices; ///< MaximumDisplacement in l
 };
 
 /// What happened.
-struct MeshDenoisingReport : MeshFacts, FaceFilterReport
+struct MeshDenoisingReport
+  : MeshFacts
+  , FaceFilterReport
 {
   std::size_t GuardedVertices = 0; ///< displacements shortened to prevent flips, in all iterations
   double SetupSeconds = 0.0;

@@ -6,8 +6,8 @@
  * @brief The table of methods: a row per published method. A new method is added here.
  *
  * A two-stage method is a row of settings: which neighbours, which norm of what, which operator,
- * which vertex update, in which order. The filters take their defaults from here; the presets of the
- * composer, the tests, the comparison script and the table in the readme follow the rows.
+ * which vertex update, in which order. The filters take their defaults from here; the presets of
+ * the composer, the tests, the comparison script and the table in the readme follow the rows.
  */
 
 #ifndef SurfaceDenoising_Methods_h
@@ -48,8 +48,8 @@ struct MethodRow
   const char* Name;
   const char* Paper;  ///< authors and year
   const char* Filter; ///< the class that does it by default, without the prefix vtk
-  bool TwoStage;      ///< filters normals first; the others move points at once and have no settings
-  bool Composed;      ///< a composition of the parts that the composer offers
+  bool TwoStage; ///< filters normals first; the others move points at once and have no settings
+  bool Composed; ///< a composition of the parts that the composer offers
   MeshDenoisingSettings Settings;
 };
 

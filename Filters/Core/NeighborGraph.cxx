@@ -90,8 +90,8 @@ NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<V
     {
       // Whether a face was seen already, near or far, is asked more often than anything else. Marks
       // answer without search, and let every distance be computed once.
-      return [&, seen = std::vector<Index>(centroids.size(), NoIndex)](
-               std::size_t f, Buffer<Index>& row) mutable
+      return [&, seen = std::vector<Index>(centroids.size(), NoIndex)](std::size_t f,
+               Buffer<Index>& row) mutable
       {
         const std::size_t first = row.size();
         const Index mark = static_cast<Index>(f);

@@ -40,7 +40,7 @@ enum class NormalArgument : int
   Angle,                ///< angle between n_i and n_j in radians, in [0, pi]
   DirectionalCurvature, ///< angle / |c_i - c_j|, in radians per length
   NormalGradient,       ///< |n_i - n_j| / |c_i - c_j|, per length
-  SiteCurvature ///< x belongs to a site, not to a pair: the weight is (g(x_i) + g(x_j)) / 2
+  SiteCurvature         ///< x belongs to a site, not to a pair: the weight is (g(x_i) + g(x_j)) / 2
 };
 
 /// True if the argument has the unit of a curvature, 1 / length.

@@ -17,7 +17,7 @@ namespace SurfaceDenoising
 /// What "the median of normals" means.
 enum class MedianKind : int
 {
-  Angular, ///< the neighbour in the middle if they are sorted by the angle to the own normal
+  Angular,    ///< the neighbour in the middle if they are sorted by the angle to the own normal
   Directional ///< the one with the least sum of angles to all others, the own normal among them
 };
 

@@ -44,7 +44,7 @@ private:
   CompressedRows InnerEdges;    ///< of every patch, as entries of Adjacent
 
   // Kept between calls: the memory of one is that of the next.
-  Buffer<double> EdgeChords;    ///< per entry of Adjacent; -1 at a face without normal
+  Buffer<double> EdgeChords; ///< per entry of Adjacent; -1 at a face without normal
   Buffer<double> Inconsistency;
   Buffer<Vec3> PatchNormals;
 };

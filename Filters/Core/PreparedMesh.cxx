@@ -16,9 +16,9 @@ MeshFacts FactsOf(const TriangleMesh& mesh, const EdgeCensus& edges, Execution& 
   facts.MeanEdgeLength = edges.MeanEdgeLength;
   facts.BoundaryEdges = edges.NumberOfBoundaryEdges;
   facts.NonManifoldEdges = edges.NumberOfNonManifoldEdges;
-  facts.DegenerateFaces =
-    OrderedSum(execution, mesh.NumberOfFaces(), std::size_t(0), [&](std::size_t f)
-      { return std::size_t(IsDegenerate(mesh.DoubleAreaVector(f), edges.MeanEdgeLength)); });
+  facts.DegenerateFaces = OrderedSum(execution, mesh.NumberOfFaces(), std::size_t(0),
+    [&](std::size_t f)
+    { return std::size_t(IsDegenerate(mesh.DoubleAreaVector(f), edges.MeanEdgeLength)); });
   return facts;
 }
 

@@ -67,8 +67,8 @@ private:
   void Turn(Buffer<Vec3>& faceVectors) const;
 
   TriangleMesh& Given;
-  TriangleMesh Ordered; ///< if the given mesh is scattered
-  SpatialOrder Order;   ///< empty if it is not
+  TriangleMesh Ordered;        ///< if the given mesh is scattered
+  SpatialOrder Order;          ///< empty if it is not
   Buffer<Triangle> Unrepaired; ///< triangles before repair, if seams were closed or faces turned
   Buffer<unsigned char> Turned;
   std::vector<CoincidentVertex> Seams;

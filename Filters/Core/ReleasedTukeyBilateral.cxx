@@ -143,9 +143,9 @@ bool DenoiseAsReleased(TriangleMesh& mesh, Buffer<Vec3>& normals,
         for (std::size_t v = begin; v < end; ++v)
         {
           const Span<Index> star = stars.Row(v);
-          moved[v] = star.size() == 0 ? mesh.Positions[v]
-                                      : Moved(mesh, star, static_cast<Index>(v), normals, common,
-                                          relaxation, spokes);
+          moved[v] = star.size() == 0
+            ? mesh.Positions[v]
+            : Moved(mesh, star, static_cast<Index>(v), normals, common, relaxation, spokes);
         }
       });
     mesh.Positions.swap(moved);

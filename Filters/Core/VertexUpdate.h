@@ -32,13 +32,12 @@ namespace SurfaceDenoising
 enum class VertexScheme : int
 {
   FaceMean,     ///< p += mean_f m_f (m_f . (c_f - p)): Sun et al. 2007. Stable for every valence
-  ConstantStep, ///< p += 1/6 sum_f m_f (m_f . (c_f - p)): Taubin 2001, Zheng et al. 2011. Oscillates
-                ///< beyond 9 faces,
-                ///< diverges beyond 12
+  ConstantStep, ///< p += 1/6 sum_f m_f (m_f . (c_f - p)): Taubin 2001, Zheng et al. 2011.
+                ///< Oscillates beyond 9 faces, diverges beyond 12
   AreaWeighted, ///< as FaceMean, with the mean weighted by face areas: Yagou et al. 2002
-  IntegralFit, ///< p -= 0.05 grad sum_f A_f |n_f - m_f|^2: Ohtake et al. 2001. Also moves along
-               ///< the surface
-  EdgeWeighted ///< as FaceMean, with a fading pull towards evenly long edges: Yadav et al. 2018
+  IntegralFit,  ///< p -= 0.05 grad sum_f A_f |n_f - m_f|^2: Ohtake et al. 2001. Also moves along
+                ///< the surface
+  EdgeWeighted  ///< as FaceMean, with a fading pull towards evenly long edges: Yadav et al. 2018
 };
 
 /// What happens at the ends of boundary edges.
@@ -55,7 +54,7 @@ struct VertexUpdateSettings
   BoundaryHandling Boundary = BoundaryHandling::Fixed;
   bool PreventFlips = false; ///< cut steps that turn a face over, see FlipGuard.h
   double MaximumDisplacement =
-    0.0; ///< how far from its first position a vertex may go, a length; 0: any
+    0.0;                   ///< how far from its first position a vertex may go, a length; 0: any
   double Relaxation = 0.2; ///< lambda of EdgeWeighted in its first step, in [0, 0.5]
   /// After the steps of a run, the part of its way along the normal that a vertex goes back.
   double InputPull = 0.0;
@@ -87,7 +86,8 @@ private:
     Buffer<Vec3>& moved, Execution& execution);
   void SlideBoundary(const Buffer<Vec3>& positions, Buffer<Vec3>& moved, Execution& execution);
   void LimitDisplacement(Buffer<Vec3>& moved, Execution& execution) const;
-  Vec3 Relaxed(std::size_t vertex, const Buffer<Vec3>& positions, const Buffer<Vec3>& targets) const;
+  Vec3 Relaxed(std::size_t vertex, const Buffer<Vec3>& positions,
+    const Buffer<Vec3>& targets) const;
   void ComputeAreas(const Buffer<Vec3>& positions, Execution& execution);
   Vec3 MeanTarget(std::size_t vertex, const Buffer<Vec3>& targets) const;
   void PullBack(Buffer<Vec3>& positions, const Buffer<Vec3>& targets, Execution& execution);

@@ -5,8 +5,9 @@
  * @class   vtkBilateralNormalFilter
  * @brief   bilateral filtering of face normals
  *
- * Y. Zheng, H. Fu, O. K.-C. Au, C.-L. Tai, "Bilateral normal filtering for mesh denoising", IEEE TVCG
- * 17(10), 1521-1530, 2011. The weight of a neighbour j of face i, which is not its own neighbour, is
+ * Y. Zheng, H. Fu, O. K.-C. Au, C.-L. Tai, "Bilateral normal filtering for mesh denoising", IEEE
+ * TVCG 17(10), 1521-1530, 2011. The weight of a neighbour j of face i, which is not its own
+ * neighbour, is
  *
  *   w_ij = A_j  exp(-|c_i - c_j|^2 / (2 s_c^2))  exp(-|n_i - n_j|^2 / (2 s_r^2)).
  *
@@ -15,9 +16,9 @@
  *
  *   (1 - v) sum_i A_i |N_i - sum_j w_ij N_j / sum_j w_ij|^2  +  v sum_i A_i |N_i - n_i|^2,
  *
- * by conjugate gradients, and normalises them. Points move afterwards. Good on moderate noise; edges
- * survive where the normals on either side differ by clearly more than the range scale s_r. On strong
- * noise blotches remain.
+ * by conjugate gradients, and normalises them. Points move afterwards. Good on moderate noise;
+ * edges survive where the normals on either side differ by clearly more than the range scale s_r.
+ * On strong noise blotches remain.
  *
  * In robust terms: a Gaussian error norm on the chord between normals, with a spatial Gaussian.
  *
@@ -56,17 +57,18 @@ public:
 
   ///@{
   /**
-   * The range scale s_r in chord lengths of unit normals (0.35, the default, is 20 degrees; 0.52 is 30;
-   * 1 is 60). From 0.2 for little noise to 0.6 for a lot on smooth objects; above 0.45 sharp edges get
-   * rounded. 0: from the data, the robust standard deviation (median
-   * absolute deviation) of the differences of neighbouring normals.
+   * The range scale s_r in chord lengths of unit normals (0.35, the default, is 20 degrees; 0.52 is
+   * 30; 1 is 60). From 0.2 for little noise to 0.6 for a lot on smooth objects; above 0.45 sharp
+   * edges get rounded. 0: from the data, the robust standard deviation (median absolute deviation)
+   * of the differences of neighbouring normals.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);
   ///@}
 
   ///@{
-  /// The spatial scale s_c in mean distances of adjacent centroids. Default 1; 0: no spatial weight.
+  /// The spatial scale s_c in mean distances of adjacent centroids. Default 1; 0: no spatial
+  /// weight.
   vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
@@ -90,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Weigh the energies of the GLOBAL scheme with face areas, as the paper does (default), or all alike,
-   * as a program of others does.
+   * Weigh the energies of the GLOBAL scheme with face areas, as the paper does (default), or all
+   * alike, as a program of others does.
    */
   vtkSetMacro(AreaEnergy, bool);
   vtkGetMacro(AreaEnergy, bool);

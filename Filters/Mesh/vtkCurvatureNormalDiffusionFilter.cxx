@@ -21,10 +21,7 @@ vtkCurvatureNormalDiffusionFilter::vtkCurvatureNormalDiffusionFilter()
 
 vtkCurvatureNormalDiffusionFilter::~vtkCurvatureNormalDiffusionFilter() = default;
 
-double vtkCurvatureNormalDiffusionFilter::RangeUnit() const
-{
-  return std::sqrt(0.5);
-}
+double vtkCurvatureNormalDiffusionFilter::RangeUnit() const { return std::sqrt(0.5); }
 
 void vtkCurvatureNormalDiffusionFilter::Configure(sd::MeshDenoisingSettings& settings)
 {

@@ -41,10 +41,7 @@ const sd::MethodRow* Find(int method)
 vtkDenoisingMethods::vtkDenoisingMethods() = default;
 vtkDenoisingMethods::~vtkDenoisingMethods() = default;
 
-int vtkDenoisingMethods::GetNumberOfMethods()
-{
-  return static_cast<int>(sd::Methods().size());
-}
+int vtkDenoisingMethods::GetNumberOfMethods() { return static_cast<int>(sd::Methods().size()); }
 
 const char* vtkDenoisingMethods::GetName(int method)
 {

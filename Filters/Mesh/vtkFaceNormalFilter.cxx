@@ -29,10 +29,7 @@ const sd::MeshDenoisingSettings& vtkFaceNormalFilter::Defaults() const
   return sd::SettingsOf(this->Row);
 }
 
-double vtkFaceNormalFilter::RangeUnit() const
-{
-  return 1.0;
-}
+double vtkFaceNormalFilter::RangeUnit() const { return 1.0; }
 
 double vtkFaceNormalFilter::NormScaleOf(double rangeScale) const
 {

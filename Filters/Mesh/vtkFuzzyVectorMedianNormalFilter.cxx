@@ -20,10 +20,7 @@ vtkFuzzyVectorMedianNormalFilter::vtkFuzzyVectorMedianNormalFilter()
 
 vtkFuzzyVectorMedianNormalFilter::~vtkFuzzyVectorMedianNormalFilter() = default;
 
-double vtkFuzzyVectorMedianNormalFilter::RangeUnit() const
-{
-  return std::sqrt(0.5);
-}
+double vtkFuzzyVectorMedianNormalFilter::RangeUnit() const { return std::sqrt(0.5); }
 
 void vtkFuzzyVectorMedianNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {

@@ -5,7 +5,8 @@
  * @class   vtkFuzzyVectorMedianNormalFilter
  * @brief   weighted mean around the vector median of face normals
  *
- * Y. Shen, K. Barner, "Fuzzy vector median-based surface smoothing", IEEE TVCG 10(3), 252-265, 2004:
+ * Y. Shen, K. Barner, "Fuzzy vector median-based surface smoothing", IEEE TVCG 10(3), 252-265,
+ * 2004:
  *
  *   n_i <- normalise( sum_j  exp(-|n_j - m_i|^2 / s^2)  n_j )
  *
@@ -15,8 +16,8 @@
  *
  * In robust terms: a Gaussian error norm around a median instead of the own normal.
  *
- * Reconstructed: two programs that are said to be this filter weigh by the angle, or by 1 - n_j . m_i;
- * here it is the chord as in the survey.
+ * Reconstructed: two programs that are said to be this filter weigh by the angle, or by 1 - n_j .
+ * m_i; here it is the chord as in the survey.
  */
 
 #ifndef vtkFuzzyVectorMedianNormalFilter_h
@@ -33,8 +34,9 @@ public:
 
   ///@{
   /**
-   * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 0.6. 0: from the data, the robust standard deviation (median
-   * absolute deviation) of the differences of neighbouring normals.
+   * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 0.6. 0: from the data,
+   * the robust standard deviation (median absolute deviation) of the differences of neighbouring
+   * normals.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);

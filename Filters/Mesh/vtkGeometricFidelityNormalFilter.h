@@ -10,16 +10,17 @@
  *
  *   n_i <- normalise( n_i + t sum_j A_j (g(x_i) + g(x_j)) / 2 (n_j - n_i) / sum_j A_j ),
  *
- * over the faces that share a point, with g(x) = 1 up to s and s^2 / ((x - s)^2 + s^2) beyond; x is the
- * mean curvature of a face (the mean over its points) times the mean edge length. Then the points move,
- * but none further than MaximumDisplacement from where it was (1 mean edge length by default), and a
- * part of the way back if FidelityWeight says so.
+ * over the faces that share a point, with g(x) = 1 up to s and s^2 / ((x - s)^2 + s^2) beyond; x is
+ * the mean curvature of a face (the mean over its points) times the mean edge length. Then the
+ * points move, but none further than MaximumDisplacement from where it was (1 mean edge length by
+ * default), and a part of the way back if FidelityWeight says so.
  *
  * CurvatureType EDGE takes the directional curvature between the two faces instead of that of the
- * faces. It tells noise from edges much better and is the choice where keeping features matters most.
+ * faces. It tells noise from edges much better and is the choice where keeping features matters
+ * most.
  *
- * Reconstructed: of this method only g and x are known from the survey. A weight that belongs to a face
- * cancels in a weighted mean, hence the diffusion; fidelity is taken from the title.
+ * Reconstructed: of this method only g and x are known from the survey. A weight that belongs to a
+ * face cancels in a weighted mean, hence the diffusion; fidelity is taken from the title.
  */
 
 #ifndef vtkGeometricFidelityNormalFilter_h
@@ -43,9 +44,9 @@ public:
 
   ///@{
   /**
-   * The scale s: curvature times mean edge length. Default 0.1, for FACE 0.05 to 0.15, for EDGE 0.1 to
-   * 0.3. 0: from the data, the robust standard deviation (median absolute deviation) of the curvatures
-   * over the square root of 2.
+   * The scale s: curvature times mean edge length. Default 0.1, for FACE 0.05 to 0.15, for EDGE 0.1
+   * to 0.3. 0: from the data, the robust standard deviation (median absolute deviation) of the
+   * curvatures over the square root of 2.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RangeScale, double);

@@ -5,21 +5,22 @@
  * @class   vtkGuidedNormalFilter
  * @brief   guided filtering of face normals
  *
- * W. Zhang, B. Deng, J. Zhang, S. Bouaziz, L. Liu, "Guided mesh normal filtering", Computer Graphics
- * Forum 34(7), 23-34, 2015:
+ * W. Zhang, B. Deng, J. Zhang, S. Bouaziz, L. Liu, "Guided mesh normal filtering", Computer
+ * Graphics Forum 34(7), 23-34, 2015:
  *
- *   n_i <- normalise( sum_j  A_j  exp(-|c_i - c_j|^2 / (2 s_d^2))  exp(-|G_i - G_j|^2 / (2 s^2))  n_j )
+ *   n_i <- normalise( sum_j  A_j  exp(-|c_i - c_j|^2 / (2 s_d^2))  exp(-|G_i - G_j|^2 / (2 s^2))
+ * n_j )
  *
- * over the faces within a radius and the face itself. What is compared are not the noisy normals but
- * guidance normals G: of all patches of faces around a point-sharing neighbour that contain the face, G
- * is the mean normal of the one that is flattest, or whose roughness is not all in one edge. Ten steps
- * then move the points, and all is repeated. The best choice for sharp objects with strong noise; on
- * curved ones it can invent edges.
+ * over the faces within a radius and the face itself. What is compared are not the noisy normals
+ * but guidance normals G: of all patches of faces around a point-sharing neighbour that contain the
+ * face, G is the mean normal of the one that is flattest, or whose roughness is not all in one
+ * edge. Ten steps then move the points, and all is repeated. The best choice for sharp objects with
+ * strong noise; on curved ones it can invent edges.
  *
  * In robust terms: a bilateral filter whose differences are those of a guidance.
  *
- * Differs from the authors' program: open borders stay unless BoundaryHandling says otherwise, and face
- * flips are prevented unless PreventFlips is switched off.
+ * Differs from the authors' program: open borders stay unless BoundaryHandling says otherwise, and
+ * face flips are prevented unless PreventFlips is switched off.
  */
 
 #ifndef vtkGuidedNormalFilter_h
@@ -36,8 +37,9 @@ public:
 
   ///@{
   /**
-   * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 0.6. 0: from the data, the robust standard deviation (median
-   * absolute deviation) of the differences of neighbouring normals.
+   * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 0.6. 0: from the data,
+   * the robust standard deviation (median absolute deviation) of the differences of neighbouring
+   * normals.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);
@@ -51,8 +53,8 @@ public:
 
   ///@{
   /**
-   * How far neighbours are, in mean distances of adjacent centroids of the input. Default 2, about 12
-   * faces.
+   * How far neighbours are, in mean distances of adjacent centroids of the input. Default 2, about
+   * 12 faces.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);

@@ -32,8 +32,9 @@ public:
 
   ///@{
   /**
-   * The scale s as a chord length of unit normals. Default 0.1; useful are 0.05 to 0.2. 0: from the data, the robust standard deviation (median
-   * absolute deviation) of the differences of neighbouring normals.
+   * The scale s as a chord length of unit normals. Default 0.1; useful are 0.05 to 0.2. 0: from the
+   * data, the robust standard deviation (median absolute deviation) of the differences of
+   * neighbouring normals.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);

@@ -11,8 +11,8 @@
  *   n_i <- normalise( sum_j A_j n_j )
  *
  * over the faces that share a point, then one step moves each point by the mean of its distances to
- * the planes of the faces around it, weighted by their areas, and both are repeated. Every edge gets
- * round: this is the method that robust ones are compared with, and one for smooth objects.
+ * the planes of the faces around it, weighted by their areas, and both are repeated. Every edge
+ * gets round: this is the method that robust ones are compared with, and one for smooth objects.
  *
  * In robust terms: the L2 norm.
  *

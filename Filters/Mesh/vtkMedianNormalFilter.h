@@ -6,9 +6,9 @@
  * @brief   median filtering of face normals
  *
  * H. Yagou, Y. Ohtake, A. Belyaev, "Mesh smoothing via mean and median filtering applied to face
- * normals", Geometric Modeling and Processing 2002, 124-131, and H. Yagou, A. Belyaev, D. Wei, "Mesh
- * median filter for smoothing 3-D polygonal surfaces", Cyber Worlds 2002: a face takes one of the
- * normals around it, namely
+ * normals", Geometric Modeling and Processing 2002, 124-131, and H. Yagou, A. Belyaev, D. Wei,
+ * "Mesh median filter for smoothing 3-D polygonal surfaces", Cyber Worlds 2002: a face takes one of
+ * the normals around it, namely
  *
  * - ANGULAR: the faces that share a point with it, without itself, are sorted by the angle to its
  * normal, and the one in the middle is taken (of an even number the lower of two);

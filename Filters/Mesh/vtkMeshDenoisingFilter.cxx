@@ -96,10 +96,7 @@ bool vtkMeshDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPoly
   return true;
 }
 
-void vtkMeshDenoisingFilter::ForgetReport()
-{
-  this->TakeFacts(sd::MeshFacts(), nullptr);
-}
+void vtkMeshDenoisingFilter::ForgetReport() { this->TakeFacts(sd::MeshFacts(), nullptr); }
 
 void vtkMeshDenoisingFilter::TakeFacts(const sd::MeshFacts& facts, sd::SurfaceWork* work)
 {

@@ -5,10 +5,11 @@
  * @class   vtkNormalDiffusionFilter
  * @brief   diffusion of face normals that stops at creases
  *
- * A. Belyaev, Y. Ohtake, "Nonlinear diffusion of normals for crease enhancement", Vision Geometry X,
- * 2001, 42-47:
+ * A. Belyaev, Y. Ohtake, "Nonlinear diffusion of normals for crease enhancement", Vision Geometry
+ * X, 2001, 42-47:
  *
- *   n_i <- normalise( sum_j  A_j  exp(-(k_ij / s)^2)  n_j ),   k_ij = angle(n_i, n_j) / |c_i - c_j|,
+ *   n_i <- normalise( sum_j  A_j  exp(-(k_ij / s)^2)  n_j ),   k_ij = angle(n_i, n_j) / |c_i -
+ * c_j|,
  *
  * over the edge-adjacent faces j and the face itself, then a gradient descent of sum_f A_f |n_f -
  * m_f|^2 fits the points, and both are repeated. k is a directional curvature: the diffusion stops
@@ -35,9 +36,9 @@ public:
 
   ///@{
   /**
-   * The scale s as the angle in degrees between two faces whose centroids are at the mean distance of
-   * adjacent ones. Default 35; from 20 for little noise to 60. 0: from the data, the robust standard deviation (median
-   * absolute deviation) of the differences of neighbouring normals.
+   * The scale s as the angle in degrees between two faces whose centroids are at the mean distance
+   * of adjacent ones. Default 35; from 20 for little noise to 60. 0: from the data, the robust
+   * standard deviation (median absolute deviation) of the differences of neighbouring normals.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RangeScale, double);

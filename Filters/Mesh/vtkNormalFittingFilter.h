@@ -116,8 +116,8 @@ public:
   ///@{
   /**
    * What the last execution found and did: mean distance between the centroids of faces that share
-   * an edge, in the units of the model, and points whose step was shortened to prevent flips, summed
-   * over the iterations.
+   * an edge, in the units of the model, and points whose step was shortened to prevent flips,
+   * summed over the iterations.
    */
   vtkGetMacro(MeanCentroidDistance, double);
   vtkGetMacro(NumberOfGuardedPoints, vtkIdType);

@@ -25,10 +25,7 @@ vtkNormalVotingTensorFilter::vtkNormalVotingTensorFilter()
 
 vtkNormalVotingTensorFilter::~vtkNormalVotingTensorFilter() = default;
 
-double vtkNormalVotingTensorFilter::RangeUnit() const
-{
-  return vtkMath::RadiansFromDegrees(1.0);
-}
+double vtkNormalVotingTensorFilter::RangeUnit() const { return vtkMath::RadiansFromDegrees(1.0); }
 
 void vtkNormalVotingTensorFilter::Configure(sd::MeshDenoisingSettings& settings)
 {

@@ -16,13 +16,13 @@
  *
  *   n_i <- normalise( d n_i + sum_k b_k (e_k . n_i) e_k )
  *
- * with the Damping d; one step then moves the points, and all is repeated. Slow and safe; removes long
- * ripples; weak on strong noise.
+ * with the Damping d; one step then moves the points, and all is repeated. Slow and safe; removes
+ * long ripples; weak on strong noise.
  *
  * In robust terms: a box norm on the angle, and a projection in place of the mean.
  *
- * Reconstructed: the area factor, that the face itself votes, and the length of the eigenvalues. The
- * vertex step has the factor 1/3 without which it diverges.
+ * Reconstructed: the area factor, that the face itself votes, and the length of the eigenvalues.
+ * The vertex step has the factor 1/3 without which it diverges.
  */
 
 #ifndef vtkNormalVotingTensorFilter_h
@@ -39,8 +39,8 @@ public:
 
   ///@{
   /**
-   * The angle s in degrees from which votes count a tenth. Default 46. 0: from the data, the robust standard deviation (median
-   * absolute deviation) of the differences of neighbouring normals.
+   * The angle s in degrees from which votes count a tenth. Default 46. 0: from the data, the robust
+   * standard deviation (median absolute deviation) of the differences of neighbouring normals.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 180.0);
   vtkGetMacro(RangeScale, double);
@@ -48,8 +48,8 @@ public:
 
   ///@{
   /**
-   * How far votes reach, in mean distances of adjacent centroids. Default 2, about 12 faces; 3 and 4
-   * see more at the cost of time.
+   * How far votes reach, in mean distances of adjacent centroids. Default 2, about 12 faces; 3 and
+   * 4 see more at the cost of time.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * From which length on an eigenvalue counts. Default 0.3; from 0.05 for little to 0.4 for a lot of
-   * noise: below it, noise is taken for edges.
+   * From which length on an eigenvalue counts. Default 0.3; from 0.05 for little to 0.4 for a lot
+   * of noise: below it, noise is taken for edges.
    */
   vtkSetClampMacro(TensorThreshold, double, 0.0, 1.0);
   vtkGetMacro(TensorThreshold, double);
@@ -72,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Turn each vote along the circular arc to its neighbour, so that a smooth curved patch votes as one.
-   * Keeps curvature and amplifies noise. Default off.
+   * Turn each vote along the circular arc to its neighbour, so that a smooth curved patch votes as
+   * one. Keeps curvature and amplifies noise. Default off.
    */
   vtkSetMacro(RotateVotes, bool);
   vtkGetMacro(RotateVotes, bool);

@@ -65,10 +65,7 @@ vtkRobustNormalFilter::vtkRobustNormalFilter()
 
 vtkRobustNormalFilter::~vtkRobustNormalFilter() = default;
 
-int vtkRobustNormalFilter::GetNumberOfNorms()
-{
-  return sd::NumberOfNorms;
-}
+int vtkRobustNormalFilter::GetNumberOfNorms() { return sd::NumberOfNorms; }
 
 const char* vtkRobustNormalFilter::GetNormName(int norm)
 {

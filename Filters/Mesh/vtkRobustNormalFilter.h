@@ -5,14 +5,15 @@
  * @class   vtkRobustNormalFilter
  * @brief   composes a normal filter from error norm, argument, kernel, neighbourhood and operator
  *
- *   w_ij = a_j  f(|c_i - c_j|)  g(x_ij),   for example  n_i <- normalise( sum_{j in N(i)} w_ij n_j )
+ *   w_ij = a_j  f(|c_i - c_j|)  g(x_ij),   for example  n_i <- normalise( sum_{j in N(i)} w_ij n_j
+ * )
  *
- * Every part can be chosen: the weight function g of any error norm; what it is applied to, x_ij; the
- * guidance that x_ij looks at; a spatial kernel f; face weights a_j; the neighbourhood N(i), with or
- * without the face itself; the scale of the norm, given or from the data; whether the weights
- * average, diffuse or make one linear system for all normals; which normals are averaged; and how
- * points move. Most published methods are such compositions (see Preset), and most compositions have
- * never been tried.
+ * Every part can be chosen: the weight function g of any error norm; what it is applied to, x_ij;
+ * the guidance that x_ij looks at; a spatial kernel f; face weights a_j; the neighbourhood N(i),
+ * with or without the face itself; the scale of the norm, given or from the data; whether the
+ * weights average, diffuse or make one linear system for all normals; which normals are averaged;
+ * and how points move. Most published methods are such compositions (see Preset), and most
+ * compositions have never been tried.
  *
  * What to expect of the norms (see the survey that vtkFaceNormalFilter cites): norms with a cut-off
  * (truncated L2 and L1, Tukey) leave an edge alone once its angle is beyond their scale; a Gaussian
@@ -54,8 +55,8 @@ public:
     ANGLE = 1,                 ///< angle between n_i and n_j in degrees
     DIRECTIONAL_CURVATURE = 2, ///< angle per centroid distance, in degrees per unit
     NORMAL_GRADIENT = 3,       ///< |n_i - n_j| per centroid distance, per unit
-    FACE_CURVATURE = 4 ///< mean curvature of each face, times unit; a pair has the mean weight of its
-                       ///< faces
+    FACE_CURVATURE = 4 ///< mean curvature of each face, times unit; a pair has the mean weight of
+                       ///< its faces
   };
 
   /// The length that curvatures are relative to.
@@ -68,8 +69,8 @@ public:
   /// What the norm looks at.
   enum Guidances
   {
-    NO_GUIDANCE = 0, ///< the normals themselves
-    PATCH = 1,       ///< mean normals of the most consistent patches, see vtkGuidedNormalFilter
+    NO_GUIDANCE = 0,  ///< the normals themselves
+    PATCH = 1,        ///< mean normals of the most consistent patches, see vtkGuidedNormalFilter
     VECTOR_MEDIAN = 2 ///< from the median around the face to the normals around it, see
                       ///< vtkFuzzyVectorMedianNormalFilter
   };
@@ -104,8 +105,8 @@ public:
     GLOBAL_BILATERAL_NORMAL = 8,    ///< Zheng, Fu, Au, Tai 2011, global
     GUIDED_NORMAL = 9,              ///< Zhang, Deng, Zhang, Bouaziz, Liu 2015
     TUKEY_BILATERAL_NORMAL = 10,    ///< Yadav, Reitebuch, Polthier 2018
-    THRESHOLDED_COSINE = 11 ///< Sun, Rosin, Martin, Langbein 2007: the weight max(0, n_i . n_j - T)^2
-                            ///< is Tukey's with scale sqrt(2 (1 - T)); here T = 0.5
+    THRESHOLDED_COSINE = 11 ///< Sun, Rosin, Martin, Langbein 2007: the weight max(0, n_i . n_j -
+                            ///< T)^2 is Tukey's with scale sqrt(2 (1 - T)); here T = 0.5
   };
 
   /// Where the range scale comes from.
@@ -204,7 +205,8 @@ public:
   ///@}
 
   ///@{
-  /// The weight of the input in GLOBAL_SOLVE, in [1e-9, 1]. Default 0.01: the smaller, the smoother.
+  /// The weight of the input in GLOBAL_SOLVE, in [1e-9, 1]. Default 0.01: the smaller, the
+  /// smoother.
   vtkSetClampMacro(Fidelity, double, 1e-9, 1.0);
   vtkGetMacro(Fidelity, double);
   ///@}

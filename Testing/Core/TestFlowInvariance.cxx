@@ -5,6 +5,7 @@
 
 #include "AnisotropicCurvatureFlow.h"
 #include "BilateralVertices.h"
+#include "CompareMeshes.h"
 #include "MeanCurvatureFlow.h"
 #include "Metrics.h"
 #include "NonIterativeBilateral.h"
@@ -14,8 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
-#include <random>
 
 using namespace SurfaceDenoising;
 
@@ -86,35 +85,6 @@ TriangleMesh Smooth(const OneStage& method, TriangleMesh mesh, Execution&& execu
   return mesh;
 }
 
-double SizeOf(const TriangleMesh& mesh)
-{
-  double size = 0.0;
-  for (const Vec3& p : mesh.Positions)
-  {
-    size = std::max(size, (p - mesh.Positions[0]).norm());
-  }
-  return size;
-}
-
-double Distance(const Buffer<Vec3>& a, const Buffer<Vec3>& b)
-{
-  EXPECT_EQ(a.size(), b.size());
-  double distance = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    distance = std::max(distance, (a[i] - b[i]).norm());
-  }
-  return distance;
-}
-
-std::vector<Index> Shuffled(std::size_t count, std::uint32_t seed)
-{
-  std::vector<Index> order(count);
-  std::iota(order.begin(), order.end(), Index(0));
-  std::shuffle(order.begin(), order.end(), std::mt19937(seed));
-  return order;
-}
-
 class OneStageInvariance : public testing::TestWithParam<MeshRecipe>
 {
 protected:
@@ -134,7 +104,7 @@ protected:
       const TriangleMesh expected = move(Smooth(method, this->Mesh));
       const TriangleMesh result = Smooth(method, move(this->Mesh));
       EXPECT_LT(Distance(result.Positions, expected.Positions),
-        Tolerance * scale * SizeOf(this->Mesh))
+        Tolerance * scale * ExtentOf(this->Mesh))
         << method.Name;
     }
   }
@@ -180,7 +150,7 @@ TEST_P(OneStageInvariance, OrderOfVerticesFacesAndCorners)
     Buffer<Vec3> positions(vertices.size());
     std::transform(vertices.begin(), vertices.end(), positions.begin(),
       [&](Index v) { return result.Positions[v]; });
-    EXPECT_LT(Distance(positions, expected.Positions), Tolerance * SizeOf(this->Mesh))
+    EXPECT_LT(Distance(positions, expected.Positions), Tolerance * ExtentOf(this->Mesh))
       << method.Name;
   }
 }
@@ -214,7 +184,7 @@ TEST_P(OneStageInvariance, FiniteAndBounded)
       {
         ASSERT_TRUE(p.allFinite());
       }
-      EXPECT_LT(Distance(result.Positions, this->Mesh.Positions), SizeOf(this->Mesh))
+      EXPECT_LT(Distance(result.Positions, this->Mesh.Positions), ExtentOf(this->Mesh))
         << method.Name;
     }
   }

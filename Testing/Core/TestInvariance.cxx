@@ -3,6 +3,7 @@
 
 // What denoising must not depend on, and how its result must follow its input, on every mesh.
 
+#include "CompareMeshes.h"
 #include "Methods.h"
 #include "OddThreads.h"
 #include "RandomMeshes.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 using namespace SurfaceDenoising;
 
@@ -102,40 +102,6 @@ std::vector<Variant> Variety()
   return all;
 }
 
-double SizeOf(const TriangleMesh& mesh)
-{
-  double size = 0.0;
-  for (const Vec3& p : mesh.Positions)
-  {
-    size = std::max(size, (p - mesh.Positions[0]).norm());
-  }
-  return size;
-}
-
-/// Largest distance between two lists of vectors.
-double Distance(const Buffer<Vec3>& a, const Buffer<Vec3>& b)
-{
-  EXPECT_EQ(a.size(), b.size());
-  double distance = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    distance = std::max(distance, (a[i] - b[i]).norm());
-  }
-  return distance;
-}
-
-std::vector<Index> Shuffled(std::size_t count, std::uint32_t seed)
-{
-  std::vector<Index> order(count);
-  std::iota(order.begin(), order.end(), Index(0));
-  PortableRandom random(seed);
-  for (std::size_t i = count; i > 1; --i)
-  {
-    std::swap(order[i - 1], order[random.Below(i)]);
-  }
-  return order;
-}
-
 const Mat3 Rotation = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.7, 0.5).normalized()).toRotationMatrix();
 
 class Invariance : public testing::TestWithParam<MeshRecipe>
@@ -161,7 +127,7 @@ protected:
       }
       EXPECT_LT(Distance(result.Normals, expected.Normals), tolerance) << name;
       EXPECT_LT(Distance(result.Mesh.Positions, expected.Mesh.Positions),
-        tolerance * scale * SizeOf(this->Mesh))
+        tolerance * scale * ExtentOf(this->Mesh))
         << name;
     }
   }
@@ -214,8 +180,7 @@ TEST_P(Invariance, OrderOfVerticesFacesAndCorners)
       [&](Index v) { return result.Mesh.Positions[v]; });
     std::transform(faces.begin(), faces.end(), normals.begin(),
       [&](Index f) { return result.Normals[f]; });
-    EXPECT_LT(Distance(positions, expected.Mesh.Positions), 1e-10 * SizeOf(this->Mesh))
-      << name;
+    EXPECT_LT(Distance(positions, expected.Mesh.Positions), 1e-10 * ExtentOf(this->Mesh)) << name;
     EXPECT_LT(Distance(normals, expected.Normals), 1e-10) << name;
   }
 }

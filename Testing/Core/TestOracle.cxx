@@ -32,8 +32,8 @@ Textbook::Settings ToTextbook(const MeshDenoisingSettings& settings)
   same.Compared = static_cast<Textbook::Argument>(settings.Argument);
   same.ScaleUnit = static_cast<Textbook::CurvatureUnit>(settings.Unit);
   same.SpatialScale = settings.SpatialScale;
-  same.Width = settings.LocalSpatialScale ? Textbook::SpatialWidth::PerFace
-                                          : Textbook::SpatialWidth::Global;
+  same.Width =
+    settings.LocalSpatialScale ? Textbook::SpatialWidth::PerFace : Textbook::SpatialWidth::Global;
   same.Weighting = static_cast<Textbook::FaceWeight>(settings.Weighting);
   same.IncludeOwn = settings.IncludeOwn;
   same.Averaged = static_cast<Textbook::Data>(settings.Data);
@@ -91,8 +91,7 @@ Deviation Compare(const TriangleMesh& mesh, const MeshDenoisingSettings& setting
   EXPECT_EQ(report.TurnedFaces + report.SeamVertices, 0u) << "the textbook cannot repair meshes";
 
   Deviation deviation;
-  deviation.Undecided =
-    Jumps(settings) && *std::min_element(margins.begin(), margins.end()) < 1e-9;
+  deviation.Undecided = Jumps(settings) && *std::min_element(margins.begin(), margins.end()) < 1e-9;
   for (std::size_t f = 0; f < expected.size(); ++f)
   {
     deviation.Normals = std::max(deviation.Normals, Distance(normals[f], expected[f]));
@@ -270,7 +269,8 @@ TEST_P(Oracle, EveryVertexUpdate)
         settings.NormalIterations = 2;
         settings.VertexIterations = 3;
         settings.Vertices.Scheme = static_cast<VertexScheme>(update);
-        settings.Vertices.Boundary = freeBoundary ? BoundaryHandling::Free : BoundaryHandling::Fixed;
+        settings.Vertices.Boundary =
+          freeBoundary ? BoundaryHandling::Free : BoundaryHandling::Fixed;
         settings.Vertices.Relaxation = 0.3;
         settings.Vertices.InputPull = hold ? 0.2 : 0.0;
         settings.Vertices.MaximumDisplacement = hold ? 0.1 : 0.0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The released program of Yadav, Reitebuch, Polthier 2018, against the textbook, and against its own
-// results if these are at hand: set SURFACE_DENOISING_DATA to a folder with
+// The released program of Yadav, Reitebuch, Polthier 2018, against the textbook, and against its
+// own results if these are at hand: set SURFACE_DENOISING_DATA to a folder with
 // fandisk/noisy-0.3.obj and reference/rofi_fandisk_s0.35_l0.2_p<iterations>.obj.
 
 #include "RandomMeshes.h"

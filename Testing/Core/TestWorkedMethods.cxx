@@ -64,10 +64,9 @@ TEST_F(FourFaces, FuzzyVectorMedian)
   Execution serial;
   Buffer<Vec3> medians;
   DirectionalMedians(this->Graph, this->Normals, medians, serial);
-  const std::pair<double, Vec3> rows[] = {
-    { 0.35 / std::sqrt(2.0), Vec3(0.084580, 0.049296, 0.995196) },
-    { 0.35, Vec3(0.073056, 0.077748, 0.994293) }
-  };
+  const std::pair<double, Vec3> rows[] = { { 0.35 / std::sqrt(2.0),
+                                             Vec3(0.084580, 0.049296, 0.995196) },
+    { 0.35, Vec3(0.073056, 0.077748, 0.994293) } };
   for (const auto& row : rows)
   {
     this->Settings.Norm = GaussianNorm{ row.first };
@@ -89,8 +88,7 @@ TEST_F(FourFaces, VotingTensor)
   {
     NormalFilter filter(this->Graph, this->Settings);
     filter.SetGeometry({ this->Centroids, this->Areas, 1e-12 }, serial);
-    const NormalFilter::Fields fields{ this->Normals, this->Normals, this->Normals,
-      this->Normals };
+    const NormalFilter::Fields fields{ this->Normals, this->Normals, this->Normals, this->Normals };
     VoteOnNormals(filter, fields, this->Centroids, { 0.3, 3.0, false }, filtered, serial);
     return filtered[0];
   };
