@@ -3,7 +3,7 @@
 
 #include "vtkAnisotropicMeanCurvatureFilter.h"
 
-#include "AnisotropicCurvatureFlow.h"
+#include "OneStage/AnisotropicCurvatureFlow.h"
 #include "SurfaceWork.h"
 
 #include "vtkObjectFactory.h"

@@ -3,7 +3,7 @@
 
 #include "vtkBilateralVertexFilter.h"
 
-#include "BilateralVertices.h"
+#include "OneStage/BilateralVertices.h"
 #include "SurfaceWork.h"
 
 #include "vtkObjectFactory.h"

@@ -3,7 +3,7 @@
 
 #include "vtkMeanCurvatureFlowFilter.h"
 
-#include "MeanCurvatureFlow.h"
+#include "OneStage/MeanCurvatureFlow.h"
 #include "SurfaceWork.h"
 
 #include "vtkObjectFactory.h"

@@ -3,7 +3,7 @@
 
 #include "vtkNonIterativeBilateralFilter.h"
 
-#include "NonIterativeBilateral.h"
+#include "OneStage/NonIterativeBilateral.h"
 #include "SurfaceWork.h"
 
 #include "vtkObjectFactory.h"

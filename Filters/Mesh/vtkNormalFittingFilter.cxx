@@ -43,6 +43,13 @@ vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork&
   settings.Vertices.PreventFlips = this->PreventFlips;
   settings.Vertices.MaximumDisplacement = this->MaximumDisplacement;
   this->Configure(settings);
+  if (settings.Guidance == sd::NormalGuidance::Patch &&
+    work.View.Mesh.NumberOfFaces() > sd::NoIndex / 3)
+  {
+    vtkErrorMacro(<< "The surface has too many triangles for patches; at most " << sd::NoIndex / 3
+                  << " can be handled.");
+    return FAILED;
+  }
 
   sd::MeshDenoisingReport report;
   const bool finished =

@@ -3,12 +3,12 @@
 
 // What the methods of one stage must not depend on, and how their results follow the input.
 
-#include "AnisotropicCurvatureFlow.h"
-#include "BilateralVertices.h"
+#include "OneStage/AnisotropicCurvatureFlow.h"
+#include "OneStage/BilateralVertices.h"
 #include "CompareMeshes.h"
-#include "MeanCurvatureFlow.h"
+#include "OneStage/MeanCurvatureFlow.h"
 #include "Metrics.h"
-#include "NonIterativeBilateral.h"
+#include "OneStage/NonIterativeBilateral.h"
 #include "OddThreads.h"
 #include "RandomMeshes.h"
 

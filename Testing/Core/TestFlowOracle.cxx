@@ -3,10 +3,10 @@
 
 // The methods of one stage against the textbook.
 
-#include "AnisotropicCurvatureFlow.h"
-#include "BilateralVertices.h"
-#include "MeanCurvatureFlow.h"
-#include "NonIterativeBilateral.h"
+#include "OneStage/AnisotropicCurvatureFlow.h"
+#include "OneStage/BilateralVertices.h"
+#include "OneStage/MeanCurvatureFlow.h"
+#include "OneStage/NonIterativeBilateral.h"
 #include "PreparedMesh.h"
 #include "RandomMeshes.h"
 #include "TextbookFlows.h"

@@ -4,8 +4,8 @@
 // Balls along a surface against a search without any cleverness.
 
 #include "RandomMeshes.h"
-#include "SurfaceBall.h"
-#include "VertexRings.h"
+#include "OneStage/SurfaceBall.h"
+#include "OneStage/VertexRings.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #ifndef SurfaceDenoising_SurfaceBall_h
 #define SurfaceDenoising_SurfaceBall_h
 
-#include "TriangleMesh.h"
+#include "../TriangleMesh.h"
 
 namespace SurfaceDenoising
 {

@@ -3,7 +3,7 @@
 
 #include "SurfaceBall.h"
 
-#include "Vectorize.h"
+#include "../Vectorize.h"
 
 #include <limits>
 

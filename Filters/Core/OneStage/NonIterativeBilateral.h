@@ -19,7 +19,7 @@
 #ifndef SurfaceDenoising_NonIterativeBilateral_h
 #define SurfaceDenoising_NonIterativeBilateral_h
 
-#include "PreparedMesh.h"
+#include "../PreparedMesh.h"
 
 namespace SurfaceDenoising
 {

@@ -9,7 +9,7 @@
 #ifndef SurfaceDenoising_VertexRings_h
 #define SurfaceDenoising_VertexRings_h
 
-#include "TriangleMesh.h"
+#include "../TriangleMesh.h"
 
 namespace SurfaceDenoising
 {

@@ -3,9 +3,9 @@
 
 #include "MeanCurvatureFlow.h"
 
-#include "ConjugateGradient.h"
+#include "../ConjugateGradient.h"
 #include "CotangentLaplacian.h"
-#include "Metrics.h"
+#include "../Metrics.h"
 
 #include <cmath>
 

@@ -17,7 +17,7 @@
 #ifndef SurfaceDenoising_BilateralVertices_h
 #define SurfaceDenoising_BilateralVertices_h
 
-#include "PreparedMesh.h"
+#include "../PreparedMesh.h"
 
 namespace SurfaceDenoising
 {

@@ -18,7 +18,7 @@
 #ifndef SurfaceDenoising_MeanCurvatureFlow_h
 #define SurfaceDenoising_MeanCurvatureFlow_h
 
-#include "PreparedMesh.h"
+#include "../PreparedMesh.h"
 
 namespace SurfaceDenoising
 {

@@ -16,7 +16,7 @@
 #ifndef SurfaceDenoising_CotangentLaplacian_h
 #define SurfaceDenoising_CotangentLaplacian_h
 
-#include "TriangleMesh.h"
+#include "../TriangleMesh.h"
 
 namespace SurfaceDenoising
 {

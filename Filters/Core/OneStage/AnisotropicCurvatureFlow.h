@@ -25,7 +25,7 @@
 #ifndef SurfaceDenoising_AnisotropicCurvatureFlow_h
 #define SurfaceDenoising_AnisotropicCurvatureFlow_h
 
-#include "PreparedMesh.h"
+#include "../PreparedMesh.h"
 
 #include <vector>
 
