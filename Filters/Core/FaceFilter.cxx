@@ -263,6 +263,10 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, Execution& execution, double first, 
   weights.StepLength = settings.StepLength;
   weights.TangentialFlux = settings.TangentialFlux;
   NormalFilter filter(this->Graph(), weights);
+  if (settings.Argument != NormalArgument::SiteCurvature)
+  {
+    Release(this->Geometry.Normals); // before the fixed weights, which take most of the memory
+  }
   if (settings.Operator != NormalOperator::Median)
   {
     this->SetGeometry(filter, execution);
