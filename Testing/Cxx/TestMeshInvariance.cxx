@@ -25,6 +25,7 @@ void TestThreads(const MeshFilter& about, int& failures)
   {
     FilterTester test(about);
     test.Filter->SetNumberOfThreads(threads);
+    LimitIterations(test.Filter, 2);
     vtkPolyData* output = test.Denoise(surface);
     if (!first)
     {
