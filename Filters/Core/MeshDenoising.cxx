@@ -81,9 +81,9 @@ bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisin
         return false;
       }
     }
-    if (outer + 1 < settings.OuterIterations)
+    if (settings.VertexIterations > 0 && outer + 1 < settings.OuterIterations)
     {
-      normals.clear(); // the next iteration starts from those of the faces
+      normals.clear(); // the next iteration starts from those of the faces, which have moved
     }
   }
   if (settings.OuterIterations < 1)

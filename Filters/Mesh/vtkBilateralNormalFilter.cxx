@@ -31,6 +31,7 @@ void vtkBilateralNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
   {
     static_cast<sd::FaceFilterSettings&>(settings) =
       sd::SettingsOf(sd::Method::GlobalBilateralNormal);
+    settings.NormalIterations = this->NumberOfNormalIterations > 0 ? 1 : 0;
     settings.Global.Fidelity = this->Fidelity;
     settings.Global.AreaEnergy = this->AreaEnergy;
   }

@@ -47,7 +47,7 @@ public:
   ///@{
   /**
    * How normals are found, one of Schemes. Default LOCAL. GLOBAL solves once per outer iteration,
-   * whatever NumberOfNormalIterations is, and takes a few times as long.
+   * however many normal iterations there are (0: not at all), and takes a few times as long.
    */
   vtkSetClampMacro(Scheme, int, LOCAL, GLOBAL);
   vtkGetMacro(Scheme, int);

@@ -77,7 +77,8 @@ public:
   ///@}
 
   ///@{
-  /// Move the points (default) or only filter the normals.
+  /// Move the points (default) or only filter the normals, which then go on from one outer
+  /// iteration to the next.
   vtkSetMacro(UpdateVertices, bool);
   vtkGetMacro(UpdateVertices, bool);
   vtkBooleanMacro(UpdateVertices, bool);

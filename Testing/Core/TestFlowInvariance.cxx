@@ -3,13 +3,13 @@
 
 // What the methods of one stage must not depend on, and how their results follow the input.
 
+#include "CompareMeshes.h"
+#include "Metrics.h"
+#include "OddThreads.h"
 #include "OneStage/AnisotropicCurvatureFlow.h"
 #include "OneStage/BilateralVertices.h"
-#include "CompareMeshes.h"
 #include "OneStage/MeanCurvatureFlow.h"
-#include "Metrics.h"
 #include "OneStage/NonIterativeBilateral.h"
-#include "OddThreads.h"
 #include "RandomMeshes.h"
 
 #include <gtest/gtest.h>

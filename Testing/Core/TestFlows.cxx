@@ -4,12 +4,12 @@
 // The methods of one stage: numbers worked out by hand, identities, and whole runs on a noisy cube
 // against the figures of an independent program.
 
+#include "Metrics.h"
+#include "NeighborGraph.h"
 #include "OneStage/AnisotropicCurvatureFlow.h"
 #include "OneStage/BilateralVertices.h"
 #include "OneStage/CotangentLaplacian.h"
 #include "OneStage/MeanCurvatureFlow.h"
-#include "Metrics.h"
-#include "NeighborGraph.h"
 #include "OneStage/NonIterativeBilateral.h"
 #include "RandomMeshes.h"
 

@@ -218,6 +218,19 @@ TEST_P(Invariance, NoIterationsChangeNoBit)
   EXPECT_EQ(nothing.Normals, result.Normals);
 }
 
+TEST_P(Invariance, NormalsGoOnWhereVerticesStay)
+{
+  MeshDenoisingSettings settings;
+  settings.VertexIterations = 0;
+  settings.NormalIterations = 6;
+  const Result expected = Denoise(this->Mesh, settings);
+  settings.OuterIterations = 3;
+  settings.NormalIterations = 2;
+  const Result result = Denoise(this->Mesh, settings);
+  EXPECT_EQ(result.Normals, expected.Normals);
+  EXPECT_EQ(result.Mesh.Positions, this->Mesh.Positions);
+}
+
 TEST_P(Invariance, FiniteForAllNormsWithUnitNormals)
 {
   for (int norm = 0; norm < NumberOfNorms; ++norm)

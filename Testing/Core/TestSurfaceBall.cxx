@@ -3,9 +3,9 @@
 
 // Balls along a surface against a search without any cleverness.
 
-#include "RandomMeshes.h"
 #include "OneStage/SurfaceBall.h"
 #include "OneStage/VertexRings.h"
+#include "RandomMeshes.h"
 
 #include <gtest/gtest.h>
 

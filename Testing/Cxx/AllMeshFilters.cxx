@@ -81,7 +81,7 @@ std::vector<MeshFilter> MakeList()
     Entry<Fidelity>("Geometric Fidelity by Edges", "", 0,
       [](Fidelity* f) { f->SetCurvatureTypeToEdge(); }),
     Entry<Bilateral>("Bilateral Normal"),
-    Entry<Bilateral>("Global Bilateral Normal", "Global Bilateral Normal", SOLVES_ONCE,
+    Entry<Bilateral>("Global Bilateral Normal", "Global Bilateral Normal", 0,
       [](Bilateral* f) { f->SetSchemeToGlobal(); }),
     Entry<vtkGuidedNormalFilter>("Guided Normal"),
     Entry<Tukey>("Tukey Bilateral Normal"),

@@ -39,9 +39,7 @@ enum Exception : unsigned
   /// as if they were alone.
   WHOLE_VOLUME = 8,
   /// It is no repetition of anything: there is no number of iterations.
-  ONE_PASS = 16,
-  /// It finds the normals at once, whatever the number of normal iterations is.
-  SOLVES_ONCE = 32
+  ONE_PASS = 16
 };
 
 struct MeshFilter

@@ -4,8 +4,8 @@
 #include "MeanCurvatureFlow.h"
 
 #include "../ConjugateGradient.h"
-#include "CotangentLaplacian.h"
 #include "../Metrics.h"
+#include "CotangentLaplacian.h"
 
 #include <cmath>
 
