@@ -68,14 +68,20 @@ void FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution)
   this->Unit = this->ScaleUnit(execution);
   const bool first = !this->Renewed;
   this->Renewed = true;
+  if (this->Settings.Argument == NormalArgument::SiteCurvature)
+  {
+    this->Curvatures =
+      FaceCurvatures(this->Mesh, this->Stars, this->Boundary, this->Geometry, execution);
+  }
   if (normals.empty())
   {
-    normals = this->Geometry.Normals;
+    normals.swap(this->Geometry.Normals);
   }
+  Release(this->Geometry.Normals);
   if (first)
   {
     this->Report.MeanCentroidDistance = this->Distance;
-    this->ChooseScale(normals, execution);
+    this->ChooseScale(normals);
   }
   if (this->Settings.NormalIterations > 0 &&
     (first || (IsBall(this->Settings.Neighborhood) && this->Settings.RenewNeighborhood)))
@@ -97,14 +103,7 @@ double FaceFilter::ScaleUnit(Execution& execution) const
   return unit > 0.0 ? unit : 1.0;
 }
 
-Buffer<double> FaceFilter::Curvatures(Execution& execution) const
-{
-  return this->Settings.Argument == NormalArgument::SiteCurvature
-    ? FaceCurvatures(this->Mesh, this->Stars, this->Boundary, this->Geometry, execution)
-    : Buffer<double>();
-}
-
-void FaceFilter::ChooseScale(const Buffer<Vec3>& normals, Execution& execution)
+void FaceFilter::ChooseScale(const Buffer<Vec3>& normals)
 {
   const FaceFilterSettings& settings = this->Settings;
   if (settings.NormScale > 0.0)
@@ -112,7 +111,7 @@ void FaceFilter::ChooseScale(const Buffer<Vec3>& normals, Execution& execution)
     this->Report.NormScale = settings.NormScale;
     return;
   }
-  Buffer<double> values = this->Curvatures(execution);
+  Buffer<double> values = this->Curvatures;
   if (values.empty())
   {
     values = AdjacentDifferences(this->Mesh, this->Stars, normals, this->Geometry.Centroids,
@@ -194,8 +193,7 @@ void FaceFilter::SetGeometry(NormalFilter& filter, Execution& execution)
       });
     geometry.Couplings = &couplings;
   }
-  const Buffer<double> curvatures = this->Curvatures(execution);
-  geometry.Curvatures = &curvatures;
+  geometry.Curvatures = &this->Curvatures;
   filter.SetGeometry(geometry, execution);
 }
 
@@ -263,15 +261,10 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, Execution& execution, double first, 
   weights.StepLength = settings.StepLength;
   weights.TangentialFlux = settings.TangentialFlux;
   NormalFilter filter(this->Graph(), weights);
-  if (settings.Argument != NormalArgument::SiteCurvature)
-  {
-    Release(this->Geometry.Normals); // before the fixed weights, which take most of the memory
-  }
   if (settings.Operator != NormalOperator::Median)
   {
     this->SetGeometry(filter, execution);
   }
-  Release(this->Geometry.Normals);
   if (settings.Operator != NormalOperator::VotingTensor)
   {
     Release(this->Geometry.Centroids);

@@ -125,8 +125,7 @@ public:
 
 private:
   double ScaleUnit(Execution& execution) const;
-  Buffer<double> Curvatures(Execution& execution) const;
-  void ChooseScale(const Buffer<Vec3>& normals, Execution& execution);
+  void ChooseScale(const Buffer<Vec3>& normals);
   void FindNeighbors(Execution& execution);
   void SetGeometry(NormalFilter& filter, Execution& execution);
   const NeighborGraph& Graph() const;
@@ -143,6 +142,7 @@ private:
 
   bool Renewed = false;
   FaceGeometry Geometry;
+  Buffer<double> Curvatures;   ///< of the faces, if they are what the norm is applied to
   double Distance = 0.0;       ///< d of the present positions
   double Unit = 1.0;           ///< what scales of the norm are divided by
   NeighborGraph VertexSharing; ///< if the neighbourhood or the guidance needs it
