@@ -47,11 +47,11 @@ SaveData("truth.ply", truth)
 SaveData("noisy.ply", SurfaceNoise(Input=truth, Size=0.2))
 
 # With the truth: a method by its caption, a peer by its class.
-text, end = compare("noisy.ply", "truth.ply", "-o", "known", "--methods", "bilateral normals",
+text, end = compare("noisy.ply", "truth.ply", "-o", "known", "--methods", "bilateral normal",
                     "vtkWindowedSincPolyDataFilter")
 assert end is None, end
 rows = rows_of("known/comparison.csv")
-assert list(rows) == ["Noisy", "Bilateral normals", "Windowed sinc (VTK)"], list(rows)
+assert list(rows) == ["Noisy", "Bilateral normal", "Windowed sinc (VTK)"], list(rows)
 for name in list(rows)[1:]:
     assert float(rows[name]["seconds"]) > 0.0 and not rows[name]["failure"], rows[name]
     for quantity in ("MeanNormalAngle", "RelativePositionError", "SmoothNormalAngle"):
@@ -64,7 +64,7 @@ lines = table_lines(text)
 assert len(lines) == 5 and len({line.count("|") for line in lines}) == 1, text
 with open("known/comparison.md", encoding="utf-8") as file:
     assert table_lines(file.read()) == lines, "the file has the table that is printed"
-assert "{:.2f}".format(float(rows["Bilateral normals"]["MeanNormalAngle"])) in lines[3], lines
+assert "{:.2f}".format(float(rows["Bilateral normal"]["MeanNormalAngle"])) in lines[3], lines
 check_panels("known/comparison.png", columns=2, rows=2)
 
 # Without it, and with methods that fail in several ways.
@@ -74,12 +74,12 @@ methods.METHODS += [
     methods.Method("BilateralNormalFilter", "Tuned", "",
                    {"default": {"NumberOfNormalIterations": 1},
                     "cad": {"RangeScale": 0.2}})]
-text, end = compare("noisy.ply", "-o", "own", "--parameters", "cad", "--methods", "Sun 2007",
+text, end = compare("noisy.ply", "-o", "own", "--parameters", "cad", "--methods", "Thresholded cosine",
                     "Missing", "Misspelt", "Tuned")
 assert end == "compare: failed: Missing, Misspelt", end
 rows = rows_of("own/comparison.csv")
-assert list(rows) == ["Sun 2007", "Missing", "Misspelt", "Tuned"], list(rows)
-for name in ("Sun 2007", "Tuned"):
+assert list(rows) == ["Thresholded cosine", "Missing", "Misspelt", "Tuned"], list(rows)
+for name in ("Thresholded cosine", "Tuned"):
     assert 0.01 < float(rows[name]["MeanDisplacement"]) < 0.5, rows[name]
     assert not rows[name]["failure"], rows[name]
 for name in ("Missing", "Misspelt"):
@@ -90,7 +90,7 @@ check_panels("own/comparison.png", columns=3)
 
 # A clean model gets noise; more panels than fill the grid.
 text, end = compare("--truth", "truth.ply", "--noise", "0.1", "-o", "made", "--methods",
-                    "BilateralNormalFilter", "Sun 2007")
+                    "Bilateral normal", "Misspelt", "Tuned", "Thresholded cosine")
 assert end == "compare: failed: Misspelt", end
 check_panels("made/comparison.png", columns=3, rows=2, count=5)
 
