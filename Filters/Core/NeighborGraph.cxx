@@ -3,6 +3,7 @@
 
 #include "NeighborGraph.h"
 
+#include "IndexSet.h"
 #include "KdTree.h"
 
 namespace SurfaceDenoising
@@ -88,30 +89,25 @@ NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<V
   return BuildRowsWith(execution, centroids.size(),
     [&]
     {
-      // Whether a face was seen already, near or far, is asked more often than anything else. Marks
-      // answer without search, and let every distance be computed once.
-      return [&, seen = std::vector<Index>(centroids.size(), NoIndex)](std::size_t f,
-               Buffer<Index>& row) mutable
+      // Whether a face was seen already, near or far, is asked more often than anything else, and
+      // every distance is computed once.
+      return [&, seen = IndexSet()](std::size_t f, Buffer<Index>& row) mutable
       {
         const std::size_t first = row.size();
-        const Index mark = static_cast<Index>(f);
         const Vec3 centre = centroids[f];
         auto grow = [&](Index from)
         {
           for (const Index g : connections.Row(from))
           {
-            if (seen[g] != mark)
+            if (seen.Insert(g) && (centroids[g] - centre).squaredNorm() <= limit)
             {
-              seen[g] = mark;
-              if ((centroids[g] - centre).squaredNorm() <= limit)
-              {
-                row.push_back(g);
-              }
+              row.push_back(g);
             }
           }
         };
-        seen[f] = mark;
-        grow(mark);
+        seen.Clear();
+        seen.Insert(static_cast<Index>(f));
+        grow(static_cast<Index>(f));
         for (std::size_t next = first; next < row.size(); ++next)
         {
           grow(row[next]);

@@ -50,4 +50,30 @@ inline std::vector<SurfaceDenoising::Index> Shuffled(std::size_t count, std::uin
   return order;
 }
 
+/// A mesh with its vertices and faces in another order, and faces that begin at other corners.
+struct ShuffledMesh
+{
+  explicit ShuffledMesh(const SurfaceDenoising::TriangleMesh& mesh)
+    : Vertices(Shuffled(mesh.NumberOfVertices(), 3))
+    , Faces(Shuffled(mesh.NumberOfFaces(), 4))
+    , Mesh(mesh)
+  {
+    for (std::size_t v = 0; v < this->Vertices.size(); ++v)
+    {
+      this->Mesh.Positions[this->Vertices[v]] = mesh.Positions[v];
+    }
+    for (std::size_t f = 0; f < this->Faces.size(); ++f)
+    {
+      const SurfaceDenoising::Triangle& t = mesh.Triangles[f];
+      SurfaceDenoising::Triangle& s = this->Mesh.Triangles[this->Faces[f]];
+      s = { this->Vertices[t[0]], this->Vertices[t[1]], this->Vertices[t[2]] };
+      std::rotate(s.begin(), s.begin() + f % 3, s.end());
+    }
+  }
+
+  std::vector<SurfaceDenoising::Index> Vertices; ///< new numbers of the old ones
+  std::vector<SurfaceDenoising::Index> Faces;
+  SurfaceDenoising::TriangleMesh Mesh;
+};
+
 #endif

@@ -129,20 +129,9 @@ TEST_P(OneStageInvariance, SameBitsOnAnyNumberOfThreads)
 
 TEST_P(OneStageInvariance, OrderOfVerticesFacesAndCorners)
 {
-  const std::vector<Index> vertices = Shuffled(this->Mesh.NumberOfVertices(), 3);
-  const std::vector<Index> faces = Shuffled(this->Mesh.NumberOfFaces(), 4);
-  TriangleMesh shuffled = this->Mesh;
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-  {
-    shuffled.Positions[vertices[v]] = this->Mesh.Positions[v];
-  }
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    const Triangle& t = this->Mesh.Triangles[f];
-    Triangle& s = shuffled.Triangles[faces[f]];
-    s = { vertices[t[0]], vertices[t[1]], vertices[t[2]] };
-    std::rotate(s.begin(), s.begin() + f % 3, s.end());
-  }
+  const ShuffledMesh other(this->Mesh);
+  const std::vector<Index>& vertices = other.Vertices;
+  const TriangleMesh& shuffled = other.Mesh;
   for (const OneStage& method : Methods)
   {
     const TriangleMesh expected = Smooth(method, this->Mesh);

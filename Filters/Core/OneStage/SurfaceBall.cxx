@@ -29,31 +29,6 @@ void WeighEntries(const double* squares, const double* heights, std::size_t coun
 
 }
 
-void IndexSet::Clear()
-{
-  this->Count = 0;
-  if (++this->Round == 0)
-  {
-    std::fill(this->Slots.begin(), this->Slots.end(), Slot());
-    this->Round = 1;
-  }
-}
-
-void IndexSet::Grow()
-{
-  std::vector<Slot> old(4 * this->Slots.size());
-  old.swap(this->Slots);
-  const std::uint32_t round = this->Round;
-  this->Count = 0;
-  for (const Slot& slot : old)
-  {
-    if (slot.Round == round)
-    {
-      this->Insert(slot.Value);
-    }
-  }
-}
-
 void SurfaceBall::GrowVertices(const CompressedRows& rings, const Buffer<Vec3>& positions, Index v,
   double radius)
 {

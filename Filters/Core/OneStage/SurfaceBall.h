@@ -9,53 +9,11 @@
 #ifndef SurfaceDenoising_SurfaceBall_h
 #define SurfaceDenoising_SurfaceBall_h
 
+#include "../IndexSet.h"
 #include "../TriangleMesh.h"
 
 namespace SurfaceDenoising
 {
-
-/// A set of indices that is emptied without touching its memory.
-class IndexSet
-{
-public:
-  IndexSet() { this->Clear(); }
-
-  void Clear();
-
-  /// Returns true if the index was not there yet.
-  bool Insert(Index index)
-  {
-    const std::size_t mask = this->Slots.size() - 1;
-    std::size_t at = (index * std::size_t(0x9E3779B1u) >> 8) & mask;
-    while (this->Slots[at].Round == this->Round)
-    {
-      if (this->Slots[at].Value == index)
-      {
-        return false;
-      }
-      at = (at + 1) & mask;
-    }
-    this->Slots[at] = { index, this->Round };
-    if (2 * ++this->Count > this->Slots.size())
-    {
-      this->Grow();
-    }
-    return true;
-  }
-
-private:
-  struct Slot
-  {
-    Index Value = 0;
-    std::uint32_t Round = 0; ///< the slot is free unless this is the current round
-  };
-
-  void Grow();
-
-  std::vector<Slot> Slots = std::vector<Slot>(256);
-  std::size_t Count = 0;
-  std::uint32_t Round = 0;
-};
 
 /**
  * The elements within a radius of a vertex, and their weights in a bilateral filter. Growth starts
