@@ -151,11 +151,12 @@ void KdTree::Nearest(const Vec3& query, std::size_t count, std::vector<Index>& f
   this->Hidden->Find(query, count, Infinity, found);
 }
 
-void KdTree::Within(const Vec3& query, double radius, std::vector<Index>& found) const
+void KdTree::Within(const Vec3& query, double radius, std::vector<Index>& found,
+  std::size_t limit) const
 {
   // nanoflann excludes the bound itself, we include the radius.
   const double bound = radius >= 0.0 ? std::nextafter(radius * radius, Infinity) : 0.0;
-  this->Hidden->Find(query, std::numeric_limits<std::size_t>::max(), bound, found);
+  this->Hidden->Find(query, limit, bound, found);
 }
 
 }

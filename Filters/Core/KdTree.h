@@ -11,6 +11,8 @@
 
 #include "Types.h"
 
+#include <limits>
+
 namespace SurfaceDenoising
 {
 
@@ -35,8 +37,10 @@ public:
    */
   void Nearest(const Vec3& query, std::size_t count, std::vector<Index>& found) const;
 
-  /// All points at most radius away from query, nearest first, equally distant ones by number.
-  void Within(const Vec3& query, double radius, std::vector<Index>& found) const;
+  /// All points at most radius away from query, nearest first, equally distant ones by number; of
+  /// more than limit, the nearest.
+  void Within(const Vec3& query, double radius, std::vector<Index>& found,
+    std::size_t limit = std::numeric_limits<std::size_t>::max()) const;
 
 private:
   struct Tree;

@@ -3,35 +3,13 @@
 
 #include "MeshDenoising.h"
 
-#include <chrono>
+#include "Stopwatch.h"
 
 namespace SurfaceDenoising
 {
 
 namespace
 {
-
-/// Adds the seconds of its life to a sum.
-class Stopwatch
-{
-public:
-  explicit Stopwatch(double& seconds)
-    : Seconds(seconds)
-    , Start(std::chrono::steady_clock::now())
-  {
-  }
-  ~Stopwatch()
-  {
-    const std::chrono::duration<double> life = std::chrono::steady_clock::now() - this->Start;
-    this->Seconds += life.count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  void operator=(const Stopwatch&) = delete;
-
-private:
-  double& Seconds;
-  std::chrono::steady_clock::time_point Start;
-};
 
 /// The stages in turn. Returns false if the execution asked to stop.
 bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisingSettings& settings,

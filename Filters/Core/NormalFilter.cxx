@@ -28,8 +28,9 @@ void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& executio
   const NormalFilterSettings& settings = this->Settings;
   const std::size_t rows = this->Graph.NumberOfRows();
   const bool own = settings.IncludeOwn;
+  const bool bent = settings.Argument == NormalArgument::BentArc;
   const bool curvature = settings.Argument == NormalArgument::DirectionalCurvature ||
-    settings.Argument == NormalArgument::NormalGradient;
+    settings.Argument == NormalArgument::NormalGradient || bent;
   const bool spatial = settings.SpatialSigma > 0.0 || geometry.SpatialSigmas;
   const bool coupled = settings.Weighting == SiteWeight::Coupling;
   const Buffer<double>& areas = geometry.Areas;
@@ -37,6 +38,8 @@ void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& executio
   this->FixedWeights.resize(entries + Lanes);
   this->InverseSquaredDistances.resize(curvature ? entries : 0);
   std::fill(this->FixedWeights.begin() + entries, this->FixedWeights.end(), 0.0);
+  this->Positions = &geometry.Positions;
+  this->NormScaleFactors = geometry.NormScaleFactors;
   if (settings.Argument == NormalArgument::SiteCurvature)
   {
     const Buffer<double>& curvatures = *geometry.Curvatures;
@@ -71,13 +74,21 @@ void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& executio
         }
         if (spatial || curvature)
         {
-          SquaredDistances<false>({ this->Graph, own, block.First, block.Last },
+          SquaredDistances<VectorKind::Positions>({ this->Graph, own, block.First, block.Last },
             geometry.Positions.data(), geometry.Positions.data(), squares.data());
         }
         if (curvature)
         {
           InvertSquares(squares.data(), block.Count, geometry.Shortest * geometry.Shortest,
             this->InverseSquaredDistances.data() + block.Entry);
+        }
+        if (bent && own)
+        {
+          // No way to oneself: the least that keeps products finite.
+          for (std::size_t i = block.First; i < block.Last; ++i)
+          {
+            this->InverseSquaredDistances[this->EntryOf(i)] = 1e300;
+          }
         }
         if (geometry.SpatialSigmas)
         {
@@ -107,7 +118,19 @@ void NormalFilter::ComputeWeights(const Block& block, const Fields& fields, doub
     WeighBySites(rows, this->SiteFactors.data(), fixed, weights);
     return;
   }
-  SquaredDistances<true>(rows, fields.Centre.data(), fields.Compared.data(), weights);
+  if (argument == NormalArgument::Height)
+  {
+    SquaredHeights(rows, fields.Centre.data(), this->Positions->data(), weights);
+  }
+  else if (this->Settings.Unoriented)
+  {
+    SquaredDistances<VectorKind::Axes>(rows, fields.Centre.data(), fields.Compared.data(), weights);
+  }
+  else
+  {
+    SquaredDistances<VectorKind::Normals>(rows, fields.Centre.data(), fields.Compared.data(),
+      weights);
+  }
   if (argument == NormalArgument::Angle || argument == NormalArgument::DirectionalCurvature)
   {
     ChordsToAngles(weights, block.Count);
@@ -115,6 +138,15 @@ void NormalFilter::ComputeWeights(const Block& block, const Fields& fields, doub
   if (IsCurvature(argument))
   {
     Multiply(this->InverseSquaredDistances.data() + block.Entry, block.Count, weights);
+  }
+  else if (argument == NormalArgument::BentArc)
+  {
+    ChordsToBentArcs(this->InverseSquaredDistances.data() + block.Entry, block.Count,
+      this->Settings.BendFactor, weights);
+  }
+  if (this->NormScaleFactors)
+  {
+    DivideBySquares(rows, this->NormScaleFactors->data(), weights);
   }
   std::visit([&](const auto& norm) { Weigh(norm, fixed, weights, block.Count); },
     this->Settings.Norm);
@@ -135,11 +167,16 @@ std::size_t NormalFilter::Sweep(const Fields& fields, Buffer<Vec3>& filtered,
         {
           this->ComputeWeights(block, fields, weights.data());
           const Rows rows{ this->Graph, this->Settings.IncludeOwn, block.First, block.Last };
-          keptHere += this->Settings.Step == NormalStep::Average
-            ? Average(rows, weights.data(), fields.Data.data(), fields.Current.data(),
-                filtered.data())
-            : Diffuse(rows, this->Settings, weights.data(), this->FixedWeights.data() + block.Entry,
-                fields.Data.data(), fields.Current.data(), filtered.data());
+          const Vec3* data = fields.Data.data();
+          const Vec3* current = fields.Current.data();
+          if (this->Settings.Step == NormalStep::Diffusion)
+          {
+            keptHere += Diffuse(rows, this->Settings, weights.data(),
+              this->FixedWeights.data() + block.Entry, data, current, filtered.data());
+            return;
+          }
+          keptHere += (this->Settings.Unoriented ? Average<true> : Average<false>)(rows,
+            weights.data(), data, current, filtered.data());
         });
       kept += keptHere;
     });

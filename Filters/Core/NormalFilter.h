@@ -40,13 +40,24 @@ enum class NormalArgument : int
   Angle,                ///< angle between n_i and n_j in radians, in [0, pi]
   DirectionalCurvature, ///< angle / |c_i - c_j|, in radians per length
   NormalGradient,       ///< |n_i - n_j| / |c_i - c_j|, per length
-  SiteCurvature         ///< x belongs to a site, not to a pair: the weight is (g(x_i) + g(x_j)) / 2
+  SiteCurvature,        ///< x belongs to a site, not to a pair: the weight is (g(x_i) + g(x_j)) / 2
+  Height, ///< |n_i . (c_j - c_i)|, the distance of the neighbour from the plane, a length
+  /// sqrt(s^2 + C kappa^2), a length: the arc from site to site and the bend along it, kappa = |n_i
+  /// - n_j| / d and s = angle / kappa with d = |c_i - c_j|. M. K. Park et al. 2013.
+  BentArc
 };
 
 /// True if the argument has the unit of a curvature, 1 / length.
 constexpr bool IsCurvature(NormalArgument argument)
 {
-  return argument != NormalArgument::Chord && argument != NormalArgument::Angle;
+  return argument == NormalArgument::DirectionalCurvature ||
+    argument == NormalArgument::NormalGradient || argument == NormalArgument::SiteCurvature;
+}
+
+/// True if the argument is a length.
+constexpr bool IsLength(NormalArgument argument)
+{
+  return argument == NormalArgument::Height || argument == NormalArgument::BentArc;
 }
 
 /// a_j, the fixed weight of a neighbour.
@@ -74,6 +85,10 @@ struct NormalFilterSettings
   NormalStep Step = NormalStep::Average;
   double StepLength = 0.5;     ///< s of the diffusion, stable in [0, 1]
   bool TangentialFlux = false; ///< diffusion: only the part of the sum across n_i counts
+  /// n and -n are the same normal: a neighbour's is taken with the sign that makes an acute angle
+  /// with that of the site, in arguments as in sums.
+  bool Unoriented = false;
+  double BendFactor = 0.0; ///< C of BentArc, a length to the fourth power
 };
 
 /// Where sites are and how large they are.
@@ -86,6 +101,8 @@ struct SiteGeometry
   const Buffer<double>* SpatialSigmas = nullptr; ///< per site, instead of SpatialSigma
   const Buffer<double>* Couplings = nullptr;     ///< per entry of the graph, for Coupling
   const Buffer<double>* Curvatures = nullptr;    ///< per site, for SiteCurvature
+  /// Per site: a factor for the scale of the norm. Must outlive the sweeps.
+  const Buffer<double>* NormScaleFactors = nullptr;
 };
 
 class NormalFilter
@@ -94,7 +111,8 @@ public:
   /// The graph must outlive the filter.
   NormalFilter(const NeighborGraph& graph, const NormalFilterSettings& settings);
 
-  /// To be called before sweeps, and again when sites moved.
+  /// To be called before sweeps, and again when sites moved. Heights are those of the positions
+  /// given here, which must outlive the sweeps.
   void SetGeometry(const SiteGeometry& geometry, Execution& execution);
 
   /// The fields of normals that a sweep reads.
@@ -190,9 +208,11 @@ private:
   std::size_t BlockEntries = 0; ///< entries of a block: some hundred, or those of the longest row
   std::size_t Capacity = 0;     ///< room for a block and what vectors read beyond it
 
-  Buffer<double> FixedWeights;            ///< a_j f
-  Buffer<double> InverseSquaredDistances; ///< for curvatures along the line between two sites
-  Buffer<double> SiteFactors;             ///< g(x_i), for SiteCurvature
+  Buffer<double> FixedWeights;             ///< a_j f
+  Buffer<double> InverseSquaredDistances;  ///< for curvatures along the line between two sites
+  Buffer<double> SiteFactors;              ///< g(x_i), for SiteCurvature
+  const Buffer<Vec3>* Positions = nullptr; ///< for Height, those of SetGeometry
+  const Buffer<double>* NormScaleFactors = nullptr;
 };
 
 }

@@ -36,11 +36,16 @@ struct Rows
   std::size_t Last;
 };
 
-/**
- * Stage 1: |centre_i - compared_j|^2 for the entries of a block. If the vectors are normals, a zero
- * centre is no normal and differs from nothing.
- */
-template <bool AreNormals>
+/// What the vectors of stage 1 are.
+enum class VectorKind
+{
+  Positions,
+  Normals, ///< a zero centre is no normal and differs from nothing
+  Axes     ///< normals without orientation: the smaller of the differences from n and -n
+};
+
+/// Stage 1: |centre_i - compared_j|^2 for the entries of a block.
+template <VectorKind Kind>
 SURFACEDENOISING_VECTORIZED void SquaredDistances(const Rows& rows, const Vec3* centre,
   const Vec3* compared, double* squares)
 {
@@ -53,14 +58,22 @@ SURFACEDENOISING_VECTORIZED void SquaredDistances(const Rows& rows, const Vec3* 
     const double cx = centre[i][0];
     const double cy = centre[i][1];
     const double cz = centre[i][2];
-    const bool differs = !AreNormals || cx * cx + cy * cy + cz * cz > 0.0;
+    const bool differs = Kind == VectorKind::Positions || cx * cx + cy * cy + cz * cz > 0.0;
     const double factor = differs ? 1.0 : 0.0;
     auto square = [=](const Vec3& n)
     {
       const double dx = n[0] - cx;
       const double dy = n[1] - cy;
       const double dz = n[2] - cz;
-      return factor * (dx * dx + dy * dy + dz * dz);
+      const double square = dx * dx + dy * dy + dz * dz;
+      if constexpr (Kind == VectorKind::Axes)
+      {
+        const double sx = n[0] + cx;
+        const double sy = n[1] + cy;
+        const double sz = n[2] + cz;
+        return factor * std::min(square, sx * sx + sy * sy + sz * sz);
+      }
+      return factor * square;
     };
     if (own)
     {
@@ -74,6 +87,66 @@ SURFACEDENOISING_VECTORIZED void SquaredDistances(const Rows& rows, const Vec3* 
   for (const std::size_t end = RoundUp(k); k < end; ++k)
   {
     squares[k] = 0.0;
+  }
+}
+
+/// Instead of stages 1 and 2, if heights are compared: (n_i . (c_j - c_i))^2.
+SURFACEDENOISING_VECTORIZED
+void SquaredHeights(const Rows& rows, const Vec3* normals, const Vec3* positions, double* squares)
+{
+  const std::uint64_t* offsets = rows.Graph.Offsets.data();
+  const Index* ids = rows.Graph.Ids.data();
+  std::size_t k = 0;
+  for (std::size_t i = rows.First; i < rows.Last; ++i)
+  {
+    const Vec3& n = normals[i];
+    const Vec3& c = positions[i];
+    if (rows.Own)
+    {
+      squares[k++] = 0.0;
+    }
+    for (std::uint64_t p = offsets[i]; p < offsets[i + 1]; ++p)
+    {
+      const Vec3& other = positions[ids[p]];
+      const double height =
+        n[0] * (other[0] - c[0]) + n[1] * (other[1] - c[1]) + n[2] * (other[2] - c[2]);
+      squares[k++] = height * height;
+    }
+  }
+  for (const std::size_t end = RoundUp(k); k < end; ++k)
+  {
+    squares[k] = 0.0;
+  }
+}
+
+/// Stage 2, if bent arcs are compared: from the square of a chord to s^2 + C kappa^2.
+SURFACEDENOISING_VECTORIZED
+void ChordsToBentArcs(const double* inverseSquaredDistances, std::size_t count, double bendFactor,
+  double* squares)
+{
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const double chord = squares[k];
+    const double angle = AngleOfSquaredChord(chord);
+    const double ratio = chord > 1e-20 ? angle * angle / std::max(chord, 1e-20) : 1.0;
+    squares[k] =
+      ratio / inverseSquaredDistances[k] + bendFactor * chord * inverseSquaredDistances[k];
+  }
+}
+
+/// Stage 2, if every site has a scale of its own: squares of row i over the square of its factor.
+void DivideBySquares(const Rows& rows, const double* factors, double* squares)
+{
+  std::size_t k = 0;
+  for (std::size_t i = rows.First; i < rows.Last; ++i)
+  {
+    const double inverse = 1.0 / (factors[i] * factors[i]);
+    const std::size_t entries =
+      rows.Graph.Offsets[i + 1] - rows.Graph.Offsets[i] + (rows.Own ? 1 : 0);
+    for (const std::size_t end = k + entries; k < end; ++k)
+    {
+      squares[k] *= inverse;
+    }
   }
 }
 
@@ -145,11 +218,12 @@ SURFACEDENOISING_VECTORIZED void Weigh(const Norm norm, const double* fixed, dou
   }
 }
 
-/// Stage 4, average: weighted sums of the data, normalised. Returns the number of sites that kept
+/// Stage 4, average: weighted sums of the data, normalised. Without orientation, the data of a
+/// neighbour get the sign that agrees with those of the site. Returns the number of sites that kept
 /// their normal.
-SURFACEDENOISING_VECTORIZED
-std::size_t Average(const Rows& rows, const double* weights, const Vec3* data, const Vec3* current,
-  Vec3* filtered)
+template <bool Unoriented>
+SURFACEDENOISING_VECTORIZED std::size_t Average(const Rows& rows, const double* weights,
+  const Vec3* data, const Vec3* current, Vec3* filtered)
 {
   const std::uint64_t* offsets = rows.Graph.Offsets.data();
   const Index* ids = rows.Graph.Ids.data();
@@ -162,13 +236,23 @@ std::size_t Average(const Rows& rows, const double* weights, const Vec3* data, c
     double y = 0.0;
     double z = 0.0;
     double total = 0.0;
+    const Vec3& reference = data[i];
     auto add = [&](const Vec3& n)
     {
-      const double w = weights[k++];
+      double w = weights[k++];
+      if constexpr (Unoriented)
+      {
+        const double dot = reference[0] * n[0] + reference[1] * n[1] + reference[2] * n[2];
+        total += w;
+        w = dot < 0.0 ? -w : w;
+      }
+      else
+      {
+        total += w;
+      }
       x += w * n[0];
       y += w * n[1];
       z += w * n[2];
-      total += w;
     };
     if (own)
     {
@@ -206,7 +290,8 @@ std::size_t Diffuse(const Rows& rows, const NormalFilterSettings& settings, cons
     double capacity = 0.0;
     auto add = [&](const Vec3& other)
     {
-      flux += weights[k] * (other - n);
+      const double sign = settings.Unoriented && other.dot(n) < 0.0 ? -1.0 : 1.0;
+      flux += weights[k] * (sign * other - n);
       capacity += fixed[k];
       ++k;
     };

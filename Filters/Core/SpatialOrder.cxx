@@ -4,6 +4,7 @@
 #include "SpatialOrder.h"
 
 #include <cmath>
+#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -114,6 +115,62 @@ SpatialOrder FindSpatialOrder(const TriangleMesh& mesh, Execution& execution)
   for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
   {
     take(static_cast<Index>(v));
+  }
+  return order;
+}
+
+Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vectors,
+  Execution& execution)
+{
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  std::vector<std::pair<std::uint64_t, Index>> codes;
+  codes.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (points[i].allFinite())
+    {
+      low = low.cwiseMin(points[i]);
+      high = high.cwiseMax(points[i]);
+      codes.emplace_back(0, static_cast<Index>(i));
+    }
+  }
+  const double extent = codes.empty() ? 0.0 : (high - low).maxCoeff();
+  const double cellsPerLength = extent > 0.0 ? ((1 << 21) - 1) / extent : 0.0;
+  execution.For(codes.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        codes[k].first = ZOrder(points[codes[k].second], low, cellsPerLength);
+      }
+    });
+  auto differs = [](const Vec3& a, const Vec3& b) { return a != b; };
+  auto before = [](const Vec3& a, const Vec3& b)
+  { return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3); };
+  std::sort(codes.begin(), codes.end(),
+    [&](const auto& a, const auto& b)
+    {
+      if (a.first != b.first)
+      {
+        return a.first < b.first;
+      }
+      const Index i = a.second;
+      const Index j = b.second;
+      if (differs(points[i], points[j]))
+      {
+        return before(points[i], points[j]);
+      }
+      if (!vectors.empty() && differs(vectors[i], vectors[j]))
+      {
+        return before(vectors[i], vectors[j]);
+      }
+      return i < j;
+    });
+  Buffer<Index> order(codes.size());
+  for (std::size_t k = 0; k < codes.size(); ++k)
+  {
+    order[k] = codes[k].second;
   }
   return order;
 }

@@ -3,7 +3,7 @@
 
 /**
  * @file SpatialOrder.h
- * @brief Numbers faces and vertices so that neighbours in space are neighbours in memory.
+ * @brief Numbers faces, vertices and points so that neighbours in space are neighbours in memory.
  *
  * Most files are written patch by patch, but some are not: then every look at a neighbour waits for
  * main memory, and the work takes about four times as long.
@@ -34,6 +34,14 @@ struct SpatialOrder
 SpatialOrder FindSpatialOrder(const TriangleMesh& mesh, Execution& execution);
 
 /// The mesh with new numbers.
+/**
+ * The numbers of the finite points along a Z-order curve. Points in one cell of the curve follow
+ * one another by their coordinates, coincident ones by their vectors (one per point, or none at
+ * all): the order is that of the places, not that of the numbers.
+ */
+Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vectors,
+  Execution& execution);
+
 TriangleMesh Reorder(const TriangleMesh& mesh, const SpatialOrder& order);
 
 /// ordered[i] = values[order[i]].

@@ -3,8 +3,7 @@
 
 #include "VotingTensor.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Jacobi>
+#include "SymmetricEigen.h"
 
 #include <atomic>
 
@@ -22,37 +21,6 @@ Vec3 RotatedVote(const Vec3& n, const Vec3& towards)
   return length > 0.0 ? Vec3(2.0 * n.dot(u / length) * (u / length) - n) : n;
 }
 
-/// Eigenvalues, ascending, and eigenvectors of a symmetric matrix.
-struct Eigensystem
-{
-  Vec3 Values;
-  Mat3 Vectors;
-};
-
-/// The closed form is three times as fast as the iteration, but its vectors are orthogonal to eight
-/// digits only. With that mended, a sweep of rotations brings the other digits.
-Eigensystem Decompose(const Mat3& matrix)
-{
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  solver.computeDirect(matrix);
-  Mat3 vectors = solver.eigenvectors();
-  const Vec3 first = vectors.col(2).normalized();
-  const Vec3 second = (vectors.col(1) - first.dot(vectors.col(1)) * first).normalized();
-  vectors << second.cross(first), second, first;
-  Mat3 nearlyDiagonal = vectors.transpose() * matrix * vectors;
-  for (const auto& pair : { std::make_pair(0, 1), std::make_pair(0, 2), std::make_pair(1, 2) })
-  {
-    Eigen::JacobiRotation<double> rotation;
-    if (rotation.makeJacobi(nearlyDiagonal, pair.first, pair.second))
-    {
-      nearlyDiagonal.applyOnTheLeft(pair.first, pair.second, rotation.adjoint());
-      nearlyDiagonal.applyOnTheRight(pair.first, pair.second, rotation);
-      vectors.applyOnTheRight(pair.first, pair.second, rotation);
-    }
-  }
-  return { nearlyDiagonal.diagonal(), vectors };
-}
-
 /// d n + sum_k b_k (e_k . n) e_k, not normalised.
 Vec3 Project(const Mat3& tensor, const Vec3& n, const VotingTensorSettings& settings)
 {
@@ -60,7 +28,8 @@ Vec3 Project(const Mat3& tensor, const Vec3& n, const VotingTensorSettings& sett
   const Vec3& values = system.Values;
   const Mat3& vectors = system.Vectors;
   const Vec3 first = vectors.col(2);
-  const double threshold = settings.Threshold * values.norm();
+  const double threshold =
+    settings.Threshold * (settings.Unit == EigenvalueUnit::Length ? values.norm() : values.sum());
   if (values[0] >= threshold)
   {
     return n; // a corner

@@ -9,9 +9,10 @@
  * )
  *
  * with the weights of the normal filter and the eigenvectors e_k of T_i. The eigenvalues, divided
- * by their Euclidean length, count as 1 from the threshold on and as 0 below it, the largest always
- * as 1: one on a face, two at an edge, three at a corner. S. K. Yadav, U. Reitebuch, K. Polthier,
- * "Mesh denoising based on normal voting tensor and binary optimization", IEEE TVCG 24(8), 2018.
+ * by their Euclidean length or their sum, count as 1 from the threshold on and as 0 below it, the
+ * largest always as 1: one on a face, two at an edge, three at a corner. S. K. Yadav, U. Reitebuch,
+ * K. Polthier, "Mesh denoising based on normal voting tensor and binary optimization", IEEE TVCG
+ * 24(8), 2018.
  */
 
 #ifndef SurfaceDenoising_VotingTensor_h
@@ -22,6 +23,13 @@
 namespace SurfaceDenoising
 {
 
+/// What eigenvalues are divided by before they are compared with the threshold.
+enum class EigenvalueUnit : int
+{
+  Length, ///< their Euclidean length
+  Trace   ///< their sum
+};
+
 struct VotingTensorSettings
 {
   double Threshold = 0.3; ///< of the eigenvalues, in [0, 1]
@@ -29,6 +37,7 @@ struct VotingTensorSettings
   /// Votes are turned along the circular arc from site to site (Page et al.), so that a smooth
   /// curved patch votes as one.
   bool RotateVotes = false;
+  EigenvalueUnit Unit = EigenvalueUnit::Length;
 };
 
 /**

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file PointNeighbors.h
+ * @brief The neighbours of points, and how far apart points are.
+ */
+
+#ifndef SurfaceDenoising_PointNeighbors_h
+#define SurfaceDenoising_PointNeighbors_h
+
+#include "NeighborGraph.h"
+
+namespace SurfaceDenoising
+{
+
+enum class PointNeighborhood : int
+{
+  Nearest, ///< a number of nearest points
+  Radius   ///< the points in a ball
+};
+
+struct PointNeighborSettings
+{
+  PointNeighborhood Kind = PointNeighborhood::Nearest;
+  int Count = 16;          ///< how many nearest ones
+  double Radius = 3.0;     ///< of the ball, in mean spacings, see PointSet
+  int MaximumCount = 1000; ///< of more in the ball, the nearest count
+};
+
+/// The first count entries of every row.
+NeighborGraph FirstNeighbors(const NeighborGraph& graph, std::size_t count, Execution& execution);
+
+/// How many neighbours the spacing is taken from.
+constexpr std::size_t SpacingNeighbors = 16;
+
+/**
+ * r_k sqrt(pi / k) for every point, where r_k is the distance of the last of its first k neighbours
+ * and k = 16, or the length of the row if that is shorter; 0 without neighbours. The graph has
+ * nearest points first.
+ */
+Buffer<double> PointSpacings(const Buffer<Vec3>& points, const NeighborGraph& nearest,
+  Execution& execution);
+
+/// The points at most radius away from each point, nearest first, at most limit.
+NeighborGraph PointsWithinRadius(const Buffer<Vec3>& points, double radius, std::size_t limit,
+  Execution& execution);
+
+}
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PointNormals.h"
+
+#include "NormalFilter.h"
+#include "PlaneFit.h"
+
+#include <cmath>
+
+namespace SurfaceDenoising
+{
+
+Buffer<Vec3> PlaneFitNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest,
+  std::size_t count, Execution& execution)
+{
+  Buffer<Vec3> normals(points.size());
+  execution.For(points.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        PlaneSum sum;
+        sum.Add(Vec3(0.0, 0.0, 0.0));
+        const Span<Index> row = nearest.Row(i);
+        for (std::size_t k = 0; k < std::min(count, row.size()); ++k)
+        {
+          sum.Add(points[row[k]] - points[i]);
+        }
+        normals[i] = sum.Fit().Normal;
+      }
+    });
+  return normals;
+}
+
+bool SharpenNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest, double spacing,
+  Buffer<Vec3>& normals, Execution& execution, double first, double last)
+{
+  constexpr int rounds = 3;
+  constexpr double eighth = 3.14159265358979323846 / 8.0;
+  NormalFilterSettings settings;
+  settings.Norm = GaussianNorm{ eighth / std::sqrt(2.0) };
+  settings.Argument = NormalArgument::Angle;
+  settings.Weighting = SiteWeight::Uniform;
+  settings.IncludeOwn = true;
+  settings.Unoriented = true;
+  NormalFilter filter(nearest, settings);
+  const Buffer<double> ones(points.size(), 1.0);
+  filter.SetGeometry({ points, ones, 0.0 }, execution);
+
+  const RobustPlaneSettings fit{ 0.01 * spacing, 10 };
+  Buffer<Vec3> sharpened(points.size());
+  for (int round = 0; round < rounds; ++round)
+  {
+    if (!execution.Proceed(first + (last - first) * round / rounds))
+    {
+      return false;
+    }
+    filter.VisitWeights({ normals, normals, normals, normals }, execution,
+      [&](std::size_t i, const double* weights)
+      {
+        static thread_local std::vector<Vec3> around;
+        static thread_local std::vector<double> weightOf;
+        const Span<Index> row = nearest.Row(i);
+        around.assign(1, Vec3(0.0, 0.0, 0.0));
+        for (const Index j : row)
+        {
+          around.push_back(points[j] - points[i]);
+        }
+        weightOf.assign(weights, weights + around.size());
+        const Vec3 normal = FitRobustPlane(around, weightOf, fit).Normal;
+        sharpened[i] = normal.isZero(0.0) ? normals[i] : normal;
+      });
+    normals.swap(sharpened);
+  }
+  return true;
+}
+
+double ShareOfOpposedNormals(const NeighborGraph& nearest, const Buffer<Vec3>& normals)
+{
+  std::size_t pairs = 0;
+  std::size_t opposed = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    const Span<Index> row = nearest.Row(i);
+    if (row.size() > 0 && !normals[i].isZero(0.0) && !normals[row[0]].isZero(0.0))
+    {
+      ++pairs;
+      opposed += normals[i].dot(normals[row[0]]) < 0.0;
+    }
+  }
+  return pairs > 0 ? static_cast<double>(opposed) / static_cast<double>(pairs) : 0.0;
+}
+
+}

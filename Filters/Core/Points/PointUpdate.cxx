@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PointUpdate.h"
+
+#include "SymmetricEigen.h"
+
+#include <atomic>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// The sums of a row, from which all schemes take their step.
+struct RowSums
+{
+  double Weight = 0.0;
+  double OwnHeight = 0.0;
+  double NeighborHeight = 0.0;
+  Vec3 Pull = Vec3(0.0, 0.0, 0.0); ///< sum w n_j (n_j . e): b of the quadric
+  Mat3 Quadric = Mat3::Zero();
+};
+
+}
+
+Vec3 SolveTruncated(const Mat3& a, const Vec3& b, double cut)
+{
+  const Eigensystem system = Decompose(a);
+  const double limit = cut * system.Values[2];
+  Vec3 x(0.0, 0.0, 0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    if (system.Values[k] > 0.0 && system.Values[k] >= limit)
+    {
+      const Vec3 e = system.Vectors.col(k);
+      x += e.dot(b) / system.Values[k] * e;
+    }
+  }
+  return x;
+}
+
+std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter::Fields& fields,
+  const Buffer<Vec3>& positions, const PointUpdateSettings& settings, Buffer<Vec3>& displacements,
+  Execution& execution)
+{
+  const NeighborGraph& graph = weights.Neighbors();
+  const Buffer<Vec3>& normals = fields.Data;
+  displacements.resize(graph.NumberOfRows());
+  std::atomic<std::size_t> kept{ 0 };
+  weights.VisitWeights(fields, execution,
+    [&](std::size_t i, const double* w)
+    {
+      const Vec3& n = normals[i];
+      const Vec3& p = positions[i];
+      RowSums sums;
+      if (weights.IncludesOwn())
+      {
+        sums.Weight += *w++; // no height, no way to oneself
+      }
+      for (const Index j : graph.Row(i))
+      {
+        const Vec3 e = positions[j] - p;
+        const Vec3& m = normals[j];
+        const double sign = settings.Unoriented && n.dot(m) < 0.0 ? -1.0 : 1.0;
+        const double height = m.dot(e);
+        sums.Weight += *w;
+        sums.OwnHeight += *w * n.dot(e);
+        sums.NeighborHeight += *w * sign * height;
+        sums.Pull += (*w * height) * m;
+        if (settings.Scheme == PointScheme::QuadricFit)
+        {
+          sums.Quadric += *w * m * m.transpose();
+        }
+        ++w;
+      }
+      Vec3& d = displacements[i];
+      d.setZero();
+      const bool needsNormal = settings.Scheme != PointScheme::QuadricFit;
+      if (!(sums.Weight > NormalFilter::NoWeight) || (needsNormal && n.isZero(0.0)))
+      {
+        ++kept;
+        return;
+      }
+      const double step = settings.Step / sums.Weight;
+      switch (settings.Scheme)
+      {
+        case PointScheme::OwnHeight:
+          d = step * sums.OwnHeight * n;
+          break;
+        case PointScheme::NeighborHeight:
+          d = step * sums.NeighborHeight * n;
+          break;
+        case PointScheme::BalancedHeight:
+          d = step * 0.5 * (sums.OwnHeight + sums.NeighborHeight) * n;
+          break;
+        case PointScheme::Gradient:
+          d = step / 3.0 * (sums.OwnHeight * n + sums.Pull);
+          break;
+        case PointScheme::QuadricFit:
+          d = settings.Step * SolveTruncated(sums.Quadric, sums.Pull, settings.EigenvalueCut);
+          break;
+      }
+    });
+  return kept;
+}
+
+void MoveTo(const Buffer<Vec3>& places, PointSet& points, Execution& execution)
+{
+  const double limit = points.MaximumDisplacement;
+  execution.For(points.Size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Vec3& place = places[i];
+        if (place.allFinite() && (!(limit > 0.0) || (place - points.Start[i]).norm() <= limit))
+        {
+          points.Positions[i] = place;
+        }
+        else
+        {
+          points.Status[i] = PointStatus::Kept;
+        }
+      }
+    });
+}
+
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file PointUpdate.h
+ * @brief Points move to fit normals: the second stage on point sets.
+ *
+ * With the weights w_ij of a NormalFilter, W_i = sum_j w_ij, e_ij = p_j - p_i, and the signs s_ij
+ * that make n_i and s_ij n_j meet at an acute angle if normals have no orientation (else 1):
+ *
+ *   OwnHeight       p_i += t n_i / W_i  sum_j w_ij (n_i . e_ij)
+ *   NeighborHeight  p_i += t n_i / W_i  sum_j w_ij (s_ij n_j . e_ij)
+ *   BalancedHeight  p_i += t n_i / W_i  sum_j w_ij (n_i . e_ij + s_ij n_j . e_ij) / 2
+ *   Gradient        p_i += t / (3 W_i)  sum_j w_ij (n_i (n_i . e_ij) + n_j (n_j . e_ij))
+ *   QuadricFit      p_i += t A^+ b,     A = sum_j w_ij n_j n_j^T,  b = sum_j w_ij n_j (n_j . e_ij)
+ *
+ * Own heights pull curved surfaces inwards and those of neighbours push them outwards by the same
+ * amount, so that balanced ones leave a sphere alone. The gradient is a step down the distances of
+ * points from one another's planes.
+ */
+
+#ifndef SurfaceDenoising_PointUpdate_h
+#define SurfaceDenoising_PointUpdate_h
+
+#include "NormalFilter.h"
+#include "PointSet.h"
+
+namespace SurfaceDenoising
+{
+
+/// Part of the saved state of user interfaces: add new ones at the end.
+enum class PointScheme : int
+{
+  OwnHeight,
+  NeighborHeight,
+  BalancedHeight,
+  Gradient,
+  QuadricFit
+};
+
+struct PointUpdateSettings
+{
+  PointScheme Scheme = PointScheme::Gradient;
+  double Step = 1.0;       ///< t; stable in (0, 1]
+  bool Unoriented = false; ///< see above
+  /// QuadricFit: eigenvalues of A below this times the largest are none, and the point does not
+  /// move along their vectors.
+  double EigenvalueCut = 0.05;
+};
+
+/**
+ * The displacements of one step for every site of the filter: of zero where there is no weight, or
+ * no normal for the schemes that need one. Returns the number of these sites.
+ */
+std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter::Fields& fields,
+  const Buffer<Vec3>& positions, const PointUpdateSettings& settings, Buffer<Vec3>& displacements,
+  Execution& execution);
+
+/// A^+ b for a symmetric positive semidefinite A: eigenvalues below cut times the largest are none.
+Vec3 SolveTruncated(const Mat3& a, const Vec3& b, double cut);
+
+/**
+ * Moves the points to these places. A point whose place is not finite, or farther than
+ * points.MaximumDisplacement (if that is above 0) from where it started, stays and is marked as
+ * kept.
+ */
+void MoveTo(const Buffer<Vec3>& places, PointSet& points, Execution& execution);
+
+}
+
+#endif

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TwoStagePoints.h"
+
+#include "NormalMedian.h"
+#include "PlaneFit.h"
+
+#include <cmath>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// Neighbours whose normals tell the scale of a norm.
+constexpr std::size_t ScaleNeighbors = 6;
+
+/// x_ij between every point and its first neighbours.
+Buffer<double> NeighborDifferences(const PointSet& points, NormalArgument argument, bool unoriented)
+{
+  Buffer<double> differences;
+  differences.reserve(points.Size() * ScaleNeighbors);
+  for (std::size_t i = 0; i < points.Size(); ++i)
+  {
+    const Span<Index> row = points.Neighbors.Row(i);
+    for (std::size_t k = 0; k < std::min(ScaleNeighbors, row.size()); ++k)
+    {
+      const Vec3 e = points.Positions[row[k]] - points.Positions[i];
+      const Vec3& n = points.Normals[i];
+      Vec3 m = points.Normals[row[k]];
+      if (m.isZero(0.0) || n.isZero(0.0) || e.isZero(0.0))
+      {
+        continue;
+      }
+      if (unoriented && m.dot(n) < 0.0)
+      {
+        m = -m;
+      }
+      const bool angle =
+        argument == NormalArgument::Angle || argument == NormalArgument::DirectionalCurvature;
+      const double x = argument == NormalArgument::Height ? std::abs(n.dot(e))
+        : angle                                           ? std::atan2(m.cross(n).norm(), m.dot(n))
+                                                          : (m - n).norm();
+      differences.push_back(IsCurvature(argument) ? x / e.norm() : x);
+    }
+  }
+  return differences;
+}
+
+/// What the scale of the norm is multiplied by.
+double ScaleUnit(const PointSet& points, NormalArgument argument)
+{
+  return IsCurvature(argument) ? 1.0 / points.Spacing : IsLength(argument) ? points.Spacing : 1.0;
+}
+
+/// One step of plane fits to the weighted points around; returns how many points kept their normal.
+void FitPlanes(const NormalFilter& filter, const NormalFilter::Fields& fields,
+  const Buffer<Vec3>& positions, Buffer<Vec3>& fitted, Execution& execution)
+{
+  const NeighborGraph& graph = filter.Neighbors();
+  fitted.resize(graph.NumberOfRows());
+  filter.VisitWeights(fields, execution,
+    [&](std::size_t i, const double* weights)
+    {
+      PlaneSum sum;
+      if (filter.IncludesOwn())
+      {
+        sum.Add(Vec3(0.0, 0.0, 0.0), *weights++);
+      }
+      for (const Index j : graph.Row(i))
+      {
+        sum.Add(positions[j] - positions[i], *weights++);
+      }
+      const Vec3 normal = sum.Fit().Normal;
+      const Vec3& before = fields.Current[i];
+      fitted[i] = normal.isZero(0.0) ? before : normal.dot(before) < 0.0 ? Vec3(-normal) : normal;
+    });
+}
+
+class TwoStagePoints : public PointOperator
+{
+public:
+  explicit TwoStagePoints(const TwoStageSettings& settings)
+    : Settings(settings)
+  {
+  }
+
+  bool Run(PointSet& points, Execution& execution, double first, double last) override
+  {
+    if (!this->ChoseScale)
+    {
+      this->ChooseScale(points);
+    }
+    if (this->Done.NoNoiseFound)
+    {
+      return true;
+    }
+    const TwoStageSettings& settings = this->Settings;
+    this->Areas.assign(points.Size(), 1.0);
+    for (std::size_t i = 0; i < points.Size() && settings.DensityWeights; ++i)
+    {
+      const double spacing = points.Spacings[i] / points.Spacing;
+      this->Areas[i] = spacing * spacing;
+    }
+    const int steps = std::max(1, settings.NormalIterations + settings.PointIterations);
+    const double middle = first + (last - first) * settings.NormalIterations / steps;
+    return this->FilterNormals(points, execution, first, middle) &&
+      this->MovePoints(points, execution, middle, last);
+  }
+
+private:
+  void ChooseScale(const PointSet& points)
+  {
+    const TwoStageSettings& settings = this->Settings;
+    this->ChoseScale = true;
+    this->Done.NormScale = settings.Normals.NormScale;
+    if (!(settings.Normals.NormScale > 0.0))
+    {
+      const NormalArgument argument = settings.Normals.Argument;
+      Buffer<double> values = NeighborDifferences(points, argument, settings.Unoriented);
+      const double sigma = RobustScale(values, settings.Estimator) / ScaleUnit(points, argument);
+      this->Done.NoNoiseFound = sigma < 1e-6;
+      this->Done.NormScale = ScaleForOutlierBoundary(settings.Normals.Norm, sigma);
+    }
+  }
+
+  /// The engine with the weights of a stage, for the present positions.
+  std::unique_ptr<NormalFilter> MakeFilter(const PointSet& points, const PointWeights& weights,
+    double normScale, Execution& execution)
+  {
+    NormalFilterSettings settings;
+    settings.Norm = MakeErrorNorm(weights.Norm, normScale * ScaleUnit(points, weights.Argument));
+    settings.Argument = weights.Argument;
+    settings.SpatialSigma = weights.SpatialScale * points.Spacing;
+    settings.Weighting = SiteWeight::Area;
+    settings.IncludeOwn = weights.IncludeOwn;
+    settings.Step = this->Settings.Operator == PointNormalOperator::Diffusion
+      ? NormalStep::Diffusion
+      : NormalStep::Average;
+    settings.StepLength = this->Settings.StepLength;
+    settings.Unoriented = this->Settings.Unoriented;
+    settings.BendFactor = std::pow(points.Spacing, 4);
+    auto filter = std::make_unique<NormalFilter>(points.Neighbors, settings);
+
+    SiteGeometry geometry{ points.Positions, this->Areas, 1e-12 * points.Spacing };
+    Buffer<double> widths;
+    if (points.LocalScale)
+    {
+      widths = points.Spacings;
+      this->ScaleFactors.resize(points.Size());
+      for (std::size_t i = 0; i < points.Size(); ++i)
+      {
+        const double relative = points.Spacings[i] / points.Spacing;
+        widths[i] *= weights.SpatialScale;
+        this->ScaleFactors[i] = IsLength(weights.Argument) ? relative
+          : IsCurvature(weights.Argument)                  ? 1.0 / relative
+                                                           : 1.0;
+      }
+      geometry.SpatialSigmas = weights.SpatialScale > 0.0 ? &widths : nullptr;
+      geometry.NormScaleFactors = &this->ScaleFactors;
+    }
+    filter->SetGeometry(geometry, execution);
+    return filter;
+  }
+
+  bool FilterNormals(PointSet& points, Execution& execution, double first, double last)
+  {
+    const TwoStageSettings& settings = this->Settings;
+    if (settings.NormalIterations < 1)
+    {
+      return true;
+    }
+    const auto filter = this->MakeFilter(points, settings.Normals, this->Done.NormScale, execution);
+    const bool rolling = settings.Guidance == PointGuidance::Rolling;
+    Buffer<Vec3>& normals = points.Normals;
+    Buffer<Vec3> original;
+    if (rolling || settings.Data == PointNormalData::Original)
+    {
+      original = normals;
+    }
+    Buffer<Vec3> guide;
+    if (rolling)
+    {
+      guide.assign(points.Size(), Vec3(0.0, 0.0, 0.0)); // looks at nothing: the mean
+    }
+    Buffer<Vec3> filtered(points.Size());
+    for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
+    {
+      if (!execution.Proceed(first + (last - first) * iteration / settings.NormalIterations))
+      {
+        return false;
+      }
+      const Buffer<Vec3>& data = original.empty() ? normals : original;
+      const Buffer<Vec3>* centre = &normals;
+      const Buffer<Vec3>* compared = &data;
+      switch (settings.Guidance)
+      {
+        case PointGuidance::None:
+          break;
+        case PointGuidance::Patch:
+          ComputePointPatches(points.Neighbors, normals, { 10, 0.7, settings.Unoriented }, guide,
+            execution);
+          centre = compared = &guide;
+          break;
+        case PointGuidance::Median:
+          DirectionalMedians(points.Neighbors, normals, guide, execution);
+          centre = &guide;
+          break;
+        case PointGuidance::Rolling:
+          centre = compared = &guide;
+          break;
+      }
+      const NormalFilter::Fields fields{ normals, *centre, *compared, data };
+      switch (settings.Operator)
+      {
+        case PointNormalOperator::Average:
+        case PointNormalOperator::Diffusion:
+          filter->Sweep(fields, filtered, execution);
+          break;
+        case PointNormalOperator::VotingTensor:
+          VoteOnNormals(*filter, fields, points.Positions, settings.Tensor, filtered, execution);
+          break;
+        case PointNormalOperator::PlaneFit:
+          FitPlanes(*filter, fields, points.Positions, filtered, execution);
+          break;
+      }
+      normals.swap(filtered);
+      if (rolling)
+      {
+        guide = normals;
+      }
+    }
+    return true;
+  }
+
+  bool MovePoints(PointSet& points, Execution& execution, double first, double last)
+  {
+    const TwoStageSettings& settings = this->Settings;
+    if (settings.PointIterations < 1)
+    {
+      return true;
+    }
+    const auto filter =
+      this->MakeFilter(points, settings.Points, settings.Points.NormScale, execution);
+    PointUpdateSettings update = settings.Update;
+    update.Unoriented = settings.Unoriented;
+    const NormalFilter::Fields fields{ points.Normals, points.Normals, points.Normals,
+      points.Normals };
+    Buffer<Vec3> places;
+    for (int iteration = 0; iteration < settings.PointIterations; ++iteration)
+    {
+      if (!execution.Proceed(first + (last - first) * iteration / settings.PointIterations))
+      {
+        return false;
+      }
+      ComputeDisplacements(*filter, fields, points.Positions, update, places, execution);
+      execution.For(points.Size(),
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            places[i] += points.Positions[i];
+          }
+        });
+      MoveTo(places, points, execution);
+    }
+    return true;
+  }
+
+  TwoStageSettings Settings;
+  bool ChoseScale = false;
+  Buffer<double> Areas;
+  Buffer<double> ScaleFactors; ///< of the norm, per point
+};
+
+}
+
+std::unique_ptr<PointOperator> MakeTwoStagePoints(const TwoStageSettings& settings)
+{
+  return std::make_unique<TwoStagePoints>(settings);
+}
+
+}
