@@ -3,6 +3,7 @@
 
 #include "PointDenoising.h"
 
+#include "InterruptedExecution.h"
 #include "SpatialOrder.h"
 #include "Stopwatch.h"
 
@@ -59,37 +60,6 @@ std::unique_ptr<PointOperator> MakeOperator(const PointOperatorSettings& setting
   };
   return std::visit(Maker(), settings);
 }
-
-/// Runs loops in pieces and asks in between whether to go on; after a no, nothing runs any more and
-/// results are incomplete.
-class InterruptedExecution : public Execution
-{
-public:
-  InterruptedExecution(Execution& execution, double fraction)
-    : Whole(execution)
-    , Fraction(fraction)
-  {
-  }
-
-  void For(std::size_t count, const Body& body, std::size_t grain) override
-  {
-    const std::size_t piece = std::max(grain, (count + 31) / 32);
-    for (std::size_t begin = 0; begin < count && this->Going; begin += piece)
-    {
-      this->Whole.For(
-        std::min(piece, count - begin),
-        [&](std::size_t b, std::size_t e) { body(begin + b, begin + e); }, grain);
-      this->Going = this->Whole.Proceed(this->Fraction);
-    }
-  }
-
-  bool Proceed(double) override { return this->Going; }
-
-private:
-  Execution& Whole;
-  double Fraction;
-  bool Going = true;
-};
 
 /// The work on one cloud, in its own order.
 class PointWork
