@@ -134,7 +134,7 @@ TEST(PointMetrics, PointsThatAreNowhereDoNotCount)
 TEST(PointMetrics, EmptySetsHaveNoDistance)
 {
   const Buffer<Vec3> points = RandomPoints(3, 5);
-  const Buffer<Vec3> nowhere(2, Vec3(0.0, 0.0, NotANumber));
+  const Buffer<Vec3> nowhere{ Vec3(0.0, 0.0, NotANumber), Vec3(1e101, 0.0, 0.0) };
   for (const PointSetDistances& distances : { Compare(points, {}), Compare({}, points),
          Compare({}, {}), Compare(nowhere, points), Compare(points, nowhere) })
   {
@@ -153,6 +153,7 @@ TEST(PointMetrics, Variation)
   EXPECT_EQ(Variation(Values({ 3.0, 3.0 }), Serial), 0.0);
   EXPECT_EQ(Variation(Values({ 3.0 }), Serial), 0.0);
   EXPECT_TRUE(std::isnan(Variation(Values({ 0.0, 0.0 }), Serial)));
+  EXPECT_TRUE(std::isnan(Variation(Values({ -1.0, 1.0 }), Serial)));
   EXPECT_TRUE(std::isnan(Variation(Values({ NotANumber }), Serial)));
   EXPECT_TRUE(std::isnan(Variation({}, Serial)));
 }

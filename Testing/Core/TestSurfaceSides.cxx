@@ -304,4 +304,12 @@ TEST(SurfaceSides, MarksAndNormalsDependOnAllNearestFaces)
     EXPECT_EQ(angles.Flipped[0], axis == 2) << "the sides look to -y and +z";
     EXPECT_TRUE(std::isnan(angles.Degrees[2]));
   }
+  // As far from both sides, with the sign of one of them.
+  for (const Vec3& normal : { Vec3(0.0, 1.0, 1.0), Vec3(0.0, -1.0, -1.0) })
+  {
+    const LineAngles angles = CompareWithFaces({ normal }, { positions[0] }, { nearest[0] },
+      sided.Sides, sided.Geometry.Normals, Serial);
+    EXPECT_DOUBLE_EQ(angles.Degrees[0], 45.0);
+    EXPECT_FALSE(angles.Flipped[0]);
+  }
 }

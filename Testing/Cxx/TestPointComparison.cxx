@@ -195,14 +195,17 @@ void TestSurfaceAgainstCloud()
 /// Digits must not get lost far from the origin: a surface is equal to its own points.
 void TestFarAway()
 {
-  vtkSmartPointer<vtkPolyData> cube = Transformed(MakeCube(), 1.0 / 3.0, { 1e6, -3e6, 1e7 });
-  vtkSmartPointer<vtkPolyData> corners = DeepCopy(cube);
-  corners->SetPolys(nullptr);
-  for (const auto& c :
-    { Compare(cube, corners), Compare(corners, cube), Compare(corners, corners) })
+  const vtkSmartPointer<vtkPolyData> box = MeshTest::NoisyBox(3, 0.1);
+  for (const auto& surface : { box, Transformed(MakeCube(), 1.0 / 3.0, { 1e6, -3e6, 1e7 }) })
   {
-    Check(c->GetMaximumDistance() == 0.0, "the points are the same");
-    Check(c->GetChamferDistance() == 0.0, "in both directions");
+    vtkSmartPointer<vtkPolyData> points = DeepCopy(surface);
+    points->SetPolys(nullptr);
+    Check(Compare(surface, points)->GetMaximumDistance() == 0.0, "a surface has its points");
+    for (const auto& c :
+      { Compare(surface, points), Compare(points, surface), Compare(points, points) })
+    {
+      Check(c->GetPointHausdorffDistance() == 0.0, "the points are the same");
+    }
   }
   // Without rounding of the input.
   auto c = Compare(Transformed(Cloud(Near), 1.0, { 1048576, 1048576, 0 }),
@@ -314,7 +317,11 @@ void TestFeatures()
   CheckNear(c->GetSmoothDistance(), 0.4, 1e-14, "mean distance of a surface elsewhere");
   CheckNaN(c->GetFeatureFaces(), "faces near features need the same connectivity");
 
-  // A point above the end of the second ring has faces of both kinds nearest.
+  c = Compare(patch, Roof(), 9);
+  Check(c->GetFeaturePoints() == 3.0, "a point that no polygon uses is not near features");
+  CheckNaN(c->GetSmoothDistance(), "nothing is elsewhere");
+
+  // A point above the end of the first ring has faces of both kinds nearest.
   c = Compare(Cloud({ above(1.0, 0.1), above(-1.0, 0.2) }), Roof(), 1);
   Check(c->GetFeaturePoints() == 2.0, "on the border is near");
 }
