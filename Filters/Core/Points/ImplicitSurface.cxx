@@ -62,10 +62,11 @@ struct Sums
   double SlopeHeight[3][Lanes];
 };
 
-/// Robust: with the weights alpha, else alpha = 1.
+/// Robust: with the weights alpha, else alpha = 1. Products and sums in loops of their own are what
+/// compilers turn into vectors.
 template <bool Robust>
 SURFACEDENOISING_VECTORIZED void AddUp(const Tile* tiles, std::size_t count,
-  const Weighting& weighting, Sums& sums)
+  const Weighting& weighting, Sums& result)
 {
   const double f = weighting.Value;
   const double gx = weighting.Gradient[0];
@@ -73,34 +74,43 @@ SURFACEDENOISING_VECTORIZED void AddUp(const Tile* tiles, std::size_t count,
   const double gz = weighting.Gradient[2];
   const double ofResiduals = weighting.OfResiduals;
   const double ofNormals = weighting.OfNormals;
+  Sums sums = {};
   for (const Tile* tile = tiles; tile != tiles + count; ++tile)
   {
+    double w[Lanes];
+    double s[Lanes];
     for (std::size_t l = 0; l < Lanes; ++l)
     {
-      const double height = tile->Height[l];
-      double w = tile->Phi[l];
-      double s = tile->Slope[l];
+      double alpha = 1.0;
       if constexpr (Robust)
       {
-        const double r = height - f;
+        const double r = tile->Height[l] - f;
         const double dx = tile->Normal[0][l] - gx;
         const double dy = tile->Normal[1][l] - gy;
         const double dz = tile->Normal[2][l] - gz;
-        const double alpha = ExpOfNegative(-(r * r * tile->InverseSquare[l] * ofResiduals +
+        alpha = ExpOfNegative(-(r * r * tile->InverseSquare[l] * ofResiduals +
           (dx * dx + dy * dy + dz * dz) * ofNormals));
-        w *= alpha;
-        s *= alpha;
       }
-      sums.Weight[l] += w;
-      sums.Value[l] += w * height;
-      for (int k = 0; k < 3; ++k)
+      w[l] = alpha * tile->Phi[l];
+      s[l] = alpha * tile->Slope[l];
+    }
+    for (std::size_t l = 0; l < Lanes; ++l)
+    {
+      sums.Weight[l] += w[l];
+      sums.Value[l] += w[l] * tile->Height[l];
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      for (std::size_t l = 0; l < Lanes; ++l)
       {
-        sums.Normal[k][l] += w * tile->Normal[k][l];
-        sums.Slope[k][l] += s * tile->Offset[k][l];
-        sums.SlopeHeight[k][l] += s * height * tile->Offset[k][l];
+        const double along = s[l] * tile->Offset[k][l];
+        sums.Normal[k][l] += w[l] * tile->Normal[k][l];
+        sums.Slope[k][l] += along;
+        sums.SlopeHeight[k][l] += along * tile->Height[l];
       }
     }
   }
+  result = sums;
 }
 
 double Total(const double (&lanes)[Lanes])

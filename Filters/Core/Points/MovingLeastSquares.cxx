@@ -18,7 +18,12 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// w_j = exp(-|p_j - q|^2 / h^2).
+/// Weights are computed for a multiple of the widest vector.
+constexpr std::size_t Lanes = 8;
+
+constexpr std::size_t RoundUp(std::size_t count) { return (count + Lanes - 1) / Lanes * Lanes; }
+
+/// w_j = exp(-|p_j - q|^2 / h^2); w has room for RoundUp(count).
 SURFACEDENOISING_VECTORIZED
 void Weigh(const Vec3* points, std::size_t count, const Vec3& q, double inverseSquare, double* w)
 {
@@ -30,7 +35,16 @@ void Weigh(const Vec3* points, std::size_t count, const Vec3& q, double inverseS
     const double dx = points[j][0] - x;
     const double dy = points[j][1] - y;
     const double dz = points[j][2] - z;
-    w[j] = ExpOfNegative(-(dx * dx + dy * dy + dz * dz) * inverseSquare);
+    w[j] = -(dx * dx + dy * dy + dz * dz) * inverseSquare;
+  }
+  const std::size_t end = RoundUp(count);
+  for (std::size_t j = count; j < end; ++j)
+  {
+    w[j] = 0.0;
+  }
+  for (std::size_t j = 0; j < end; ++j)
+  {
+    w[j] = ExpOfNegative(w[j]);
   }
 }
 
@@ -123,7 +137,7 @@ MovingFit FitMovingSurface(const std::vector<Vec3>& around, double h, int degree
 {
   static thread_local std::vector<double> weights;
   const std::size_t count = around.size();
-  weights.resize(count);
+  weights.resize(RoundUp(count));
   MovingFit fit;
   if (!(h > 0.0))
   {
