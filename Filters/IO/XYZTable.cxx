@@ -22,6 +22,12 @@ struct Preamble
   std::vector<std::string_view> CommentHeader; ///< words of a comment that may name columns
 };
 
+/// "1 point", "2 points".
+std::string Count(std::size_t number, const char* what)
+{
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
 bool IsNumber(std::string_view token)
 {
   double value;
@@ -118,13 +124,12 @@ bool ReadPreamble(XYZLines& lines, Preamble& preamble)
 
 XYZLayout ChooseLayout(const XYZLines& lines, const Preamble& preamble, std::size_t columns)
 {
-  const std::string counted = std::to_string(columns) + (columns == 1 ? " column" : " columns");
+  const std::string counted = Count(columns, "column");
   if (const auto layout = LayoutByNames(preamble.Header))
   {
     if (preamble.Header.size() != columns)
     {
-      lines.Fail(
-        "there are " + counted + ", the header names " + std::to_string(preamble.Header.size()));
+      lines.Fail(counted + ", the header names " + std::to_string(preamble.Header.size()));
     }
     return *layout;
   }
@@ -135,8 +140,7 @@ XYZLayout ChooseLayout(const XYZLines& lines, const Preamble& preamble, std::siz
   const auto layout = LayoutByCount(columns);
   if (!layout)
   {
-    lines.Fail("there are " + counted +
-      ", which no header names; without one, points have 3, 4, 6 or 7 columns");
+    lines.Fail(counted + ", which no header names; without one, points have 3, 4, 6 or 7 columns");
   }
   return *layout;
 }
@@ -161,8 +165,7 @@ void ReadRow(XYZLines& lines, XYZTable& table)
   }
   if (columns != table.Columns)
   {
-    lines.Fail("there are " + std::to_string(columns) + " columns, the first point has " +
-      std::to_string(table.Columns));
+    lines.Fail(Count(columns, "column") + ", the first point has " + std::to_string(table.Columns));
   }
 }
 
@@ -201,7 +204,7 @@ void CheckCount(const XYZLines& lines, const Preamble& preamble, std::size_t row
   const auto announced = static_cast<std::size_t>(preamble.Count.value_or(0));
   if (preamble.Count && announced != rows)
   {
-    lines.Fail("the file ends after " + std::to_string(rows) + " points, it announces " +
+    lines.Fail("the file ends after " + Count(rows, "point") + ", it announces " +
         std::to_string(announced),
       rows < announced ? vtkErrorCode::PrematureEndOfFileError : vtkErrorCode::FileFormatError);
   }

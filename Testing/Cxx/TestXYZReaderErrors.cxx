@@ -27,10 +27,10 @@ void TestNothing()
   Tester.ExpectError("3\n1 2 3\n4 5 6", "line 4: the file ends after 2 points, it announces 3",
     Early);
   Tester.ExpectError("1\n1 2 3\n4 5 6\n", "ends after 2 points, it announces 1", Format);
-  Tester.ExpectError("0\n1 2 3\n", "ends after 1 points, it announces 0", Format);
+  Tester.ExpectError("0\n1 2 3\n", "ends after 1 point, it announces 0", Format);
   Tester.ExpectError("-1\n1 2 3\n", "line 1: the number of points is -1", Format);
   Tester.ExpectError("9223372036854775807\n1 2 3\n", "announces 9223372036854775807", Early);
-  Tester.ExpectError("9223372036854775808\n1 2 3\n", "line 1: there are 1 column, ", Format);
+  Tester.ExpectError("9223372036854775808\n1 2 3\n", "line 1: 1 column, ", Format);
 }
 
 void TestTokens()
@@ -55,21 +55,20 @@ void TestTokens()
 void TestShapes()
 {
   const std::string meaning = "no header names; without one, points have 3, 4, 6 or 7 columns";
-  Tester.ExpectError("1.5\n", "line 1: there are 1 column, which " + meaning, Format);
-  Tester.ExpectError("1 2\n", "line 1: there are 2 columns, which " + meaning, Format);
-  Tester.ExpectError("# top\n1 2 3 4 5\n", "line 2: there are 5 columns, which " + meaning, Format);
+  Tester.ExpectError("1.5\n", "line 1: 1 column, which " + meaning, Format);
+  Tester.ExpectError("1 2\n", "line 1: 2 columns, which " + meaning, Format);
+  Tester.ExpectError("# top\n1 2 3 4 5\n", "line 2: 5 columns, which " + meaning, Format);
   Tester.ExpectError("1 2 3 4 5 6 7 8\n", "8 columns, which " + meaning, Format);
   Tester.ExpectError("a b\n1 2\n", "2 columns, which " + meaning, Format);
-  Tester.ExpectError("1\n2\n3\n", "line 2: there are 1 column, which " + meaning, Format);
-  Tester.ExpectError("x y z\n1 2 3 4\n", "line 2: there are 4 columns, the header names 3", Format);
-  Tester.ExpectError("x y z i\n1 2 3\n", "line 2: there are 3 columns, the header names 4", Format);
+  Tester.ExpectError("1\n2\n3\n", "line 2: 1 column, which " + meaning, Format);
+  Tester.ExpectError("x y z\n1 2 3 4\n", "line 2: 4 columns, the header names 3", Format);
+  Tester.ExpectError("x y z i\n1 2 3\n", "line 2: 3 columns, the header names 4", Format);
 
-  Tester.ExpectError("1 2 3\n\n4 5\n", "line 3: there are 2 columns, the first point has 3",
-    Format);
-  Tester.ExpectError("1 2 3\n4 5 6 7 8\n", "line 2: there are 5 columns, the first", Format);
-  Tester.ExpectError("1 2 3 0 0 1\n4 5 6\n", "line 2: there are 3 columns, the first", Format);
-  Tester.ExpectError("1 2 3\n4 5 # 6\n", "line 2: there are 2 columns", Format);
-  Tester.ExpectError("1 2 3\n4\n", "line 2: there are 1 columns", Format);
+  Tester.ExpectError("1 2 3\n\n4 5\n", "line 3: 2 columns, the first point has 3", Format);
+  Tester.ExpectError("1 2 3\n4 5 6 7 8\n", "line 2: 5 columns, the first", Format);
+  Tester.ExpectError("1 2 3 0 0 1\n4 5 6\n", "line 2: 3 columns, the first", Format);
+  Tester.ExpectError("1 2 3\n4 5 # 6\n", "line 2: 2 columns", Format);
+  Tester.ExpectError("1 2 3\n4\n", "line 2: 1 column", Format);
 
   for (const std::string line :
     { "1,,3", "1,2,,3", ",1,2,3", ";", "1, ,2,3", "1;;2", "1,2,3,,", "," })
@@ -131,8 +130,8 @@ void TestGarbage()
   {
     line += "7 ";
   }
-  Tester.ExpectError(line, "line 1: there are 1000000 columns", Format);
-  Tester.ExpectError("1 2 3\n" + line, "line 2: there are 1000000 columns", Format);
+  Tester.ExpectError(line, "line 1: 1000000 columns", Format);
+  Tester.ExpectError("1 2 3\n" + line, "line 2: 1000000 columns", Format);
 }
 
 void TestFiles()
