@@ -147,7 +147,9 @@ void TestFiles()
   {
     Tester.ExpectCanRead(false, content);
   }
-  // What is cut off in the middle of a line does not count.
+  // Of a large file, whole lines within the first 64 KiB count.
+  Tester.ExpectCanRead(false, "#" + std::string(65529, '-') + "\n1 2 3 4 5\n");
+  Tester.ExpectCanRead(true, "#" + std::string(65000, '-') + "\n1 2 3\n" + std::string(999, '-'));
   std::string large;
   while (large.size() < 65536)
   {
