@@ -23,8 +23,8 @@
  *
  * The output holds
  * - the points in double precision, whatever the precision of the file;
- * - one vertex cell per point, as those of VTK's readers of points: the points are seen at once,
- * and filters that pick cells, such as vtkThreshold, can pick points;
+ * - one vertex cell per point, as vtkSimplePointsReader makes them: points are seen at once, and
+ *   filters that pick cells, such as vtkThreshold, can pick points;
  * - normals as point normals "Normals", as long as they are in the file;
  * - colors as point scalars "RGB" of type unsigned char. They are numbers from 0 to 255; if none is
  *   above 1 and not all are whole, they are fractions and are multiplied by 255;
