@@ -49,15 +49,15 @@ double Spacing(const std::vector<Vector>& points)
   return spacings.size() % 2 == 1 ? spacings[half] : 0.5 * (spacings[half - 1] + spacings[half]);
 }
 
-double Difference(Measure measure, const Vector& p, const Vector& m, const Vector& q, Vector n,
-  bool unoriented)
+double Difference(Measure measure, double distance, const Vector& p, const Vector& m,
+  const Vector& q, Vector n, bool unoriented)
 {
   if (unoriented && m.dot(n) < 0.0)
   {
     n = -n;
   }
   const double angle = std::atan2(m.cross(n).norm(), m.dot(n));
-  const double distance = std::max((p - q).norm(), 1e-13);
+  distance = std::max(distance, 1e-13);
   switch (measure)
   {
     case Measure::Chord:
@@ -111,10 +111,11 @@ void FilterNormals(Cloud& cloud, const std::vector<std::vector<int>>& neighbors,
       {
         const std::size_t j = static_cast<std::size_t>(k);
         const Vector& compared = original && !rolling ? start[j] : cloud.Normals[j];
-        const double x = Difference(stage.Argument, cloud.Points[i], cloud.Normals[i],
+        const double d = (cloud.Points[i] - cloud.Points[j]).norm();
+        const double x = Difference(stage.Argument, d, cloud.Points[i], cloud.Normals[i],
           cloud.Points[j], compared, unoriented);
         const double g = rolling && iteration == 0 ? 1.0 : stage.Weight(x);
-        const double f = Spatial(stage, (cloud.Points[i] - cloud.Points[j]).norm());
+        const double f = Spatial(stage, d);
         const double sign = unoriented && data[i].dot(data[j]) < 0.0 ? -1.0 : 1.0;
         sum += f * g * sign * data[j];
       }
@@ -176,8 +177,9 @@ void MovePoints(Cloud& cloud, const std::vector<std::vector<int>>& neighbors, co
         const std::size_t j = static_cast<std::size_t>(k);
         const Vector e = cloud.Points[j] - p;
         const Vector m = unoriented && n.dot(normals[j]) < 0.0 ? Vector(-normals[j]) : normals[j];
-        const double w = Spatial(stage, (start[i] - start[j]).norm()) *
-          stage.Weight(Difference(stage.Argument, p, n, cloud.Points[j], m, unoriented));
+        const double d = (start[i] - start[j]).norm();
+        const double w = Spatial(stage, d) *
+          stage.Weight(Difference(stage.Argument, d, p, n, cloud.Points[j], m, unoriented));
         total += w;
         switch (step)
         {

@@ -59,9 +59,9 @@ struct Stage
   bool Own = true;
 };
 
-/// x_ij of the points at p and q with the normals m and n.
-double Difference(Measure measure, const Vector& p, const Vector& m, const Vector& q, Vector n,
-  bool unoriented);
+/// x_ij of the points at p and q with the normals m and n; curvatures are per distance.
+double Difference(Measure measure, double distance, const Vector& p, const Vector& m,
+  const Vector& q, Vector n, bool unoriented);
 
 /// Averages the normals iterations times; with rolling guidance, the data are those at the start.
 void FilterNormals(Cloud& cloud, const std::vector<std::vector<int>>& neighbors, const Stage& stage,
