@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file BundleNodes.h
+ * @brief Points with several normals as sites of the normal filter.
+ *
+ * A node is a point with one of its normals; the nodes of a point are its bundle. The neighbours of
+ * a node are the nodes of the neighbours of its point, of each the one whose normal matches best.
+ */
+
+#ifndef SurfaceDenoising_BundleNodes_h
+#define SurfaceDenoising_BundleNodes_h
+
+#include "NormalClusters.h"
+#include "PointSet.h"
+
+namespace SurfaceDenoising
+{
+
+struct BundleNodes
+{
+  Buffer<Index> First;  ///< nodes of point i are First[i] .. First[i + 1] - 1
+  Buffer<Index> Points; ///< the point of every node
+  Buffer<Vec3> Normals; ///< of every node
+  NeighborGraph Graph;  ///< of nodes; rows are as long as those of their points
+
+  std::size_t Size() const { return this->Points.size(); }
+  std::size_t CountAt(std::size_t point) const
+  {
+    return this->First[point + 1] - this->First[point];
+  }
+};
+
+struct BundleSettings
+{
+  NormalClusterSettings Clusters;
+  double SpatialScale = 1.5;  ///< sigma of exp(-(d / sigma)^2), in spacings
+  std::size_t FewestFlat = 4; ///< fewer neighbours that are no features: all neighbours count
+};
+
+/**
+ * The bundles of all points. Points that are no features have their own normal. The normals of the
+ * neighbours of a feature that are no features themselves are clustered (NormalClusters.h); each
+ * cluster gives it a normal, the normalised sum_j exp(-(d_ij / sigma)^2) n_j over its members.
+ * Neighbours without a normal have no say; without any that has one, the feature keeps its own
+ * normal. The graph has no neighbours yet.
+ */
+BundleNodes MakeBundles(const PointSet& points, const Buffer<unsigned char>& features,
+  const BundleSettings& settings, Execution& execution);
+
+/**
+ * Fills the rows of the graph: node k sees of every neighbour of its point the node whose normal
+ * has the largest dot product with directions[k] (of equal ones, the first), without orientation
+ * the largest in absolute value. Order within rows is that of the neighbours of points.
+ */
+void MatchNodes(const NeighborGraph& neighbors, const Buffer<Vec3>& directions, bool unoriented,
+  BundleNodes& nodes, Execution& execution);
+
+}
+
+#endif
