@@ -87,33 +87,56 @@ Plane FitWeighted(const PreparedPoints& points, const double* weights)
 
 }
 
-Plane PlaneSum::Fit() const
+bool PlaneSum::FindCovariance(Plane& plane, Mat3& covariance, double& rounding) const
 {
-  Plane plane;
   const Moments& s = this->Sums;
   if (!(s[0] > 0.0))
   {
-    return plane;
+    return false;
   }
   plane.Centre = Vec3(s[1], s[2], s[3]) / s[0];
   Mat3 second;
   second << s[4], s[5], s[6], s[5], s[7], s[8], s[6], s[8], s[9];
-  const Mat3 covariance = second / s[0] - plane.Centre * plane.Centre.transpose();
-  if (!covariance.allFinite())
-  {
-    return plane;
-  }
-  const LeastAxis system = FindLeastAxis(covariance);
-  plane.Variances = system.Values.cwiseMax(0.0);
+  covariance = second / s[0] - plane.Centre * plane.Centre.transpose();
   // What is left of the second moments after the mean is taken off has errors of their last digits.
-  const double rounding = 1e-14 * second.trace() / s[0];
-  if (system.Values[1] > std::max(rounding, 1e-300))
+  rounding = std::max(1e-14 * second.trace() / s[0], 1e-300);
+  return covariance.allFinite();
+}
+
+Plane PlaneSum::Fit() const
+{
+  Plane plane;
+  Mat3 covariance;
+  double rounding;
+  if (this->FindCovariance(plane, covariance, rounding))
   {
-    plane.Normal = system.Vector;
+    const LeastAxis system = FindLeastAxis(covariance);
+    plane.Variances = system.Values.cwiseMax(0.0);
+    if (system.Values[1] > rounding)
+    {
+      plane.Normal = system.Vector;
+    }
   }
-  if (system.Values[2] > std::max(rounding, 1e-300))
+  return plane;
+}
+
+Plane PlaneSum::FitAxes() const
+{
+  Plane plane;
+  Mat3 covariance;
+  double rounding;
+  if (this->FindCovariance(plane, covariance, rounding))
   {
-    plane.Along = system.Vectors.col(2);
+    const Eigensystem system = Decompose(covariance);
+    plane.Variances = system.Values.cwiseMax(0.0);
+    if (system.Values[1] > rounding)
+    {
+      plane.Normal = system.Vectors.col(0);
+    }
+    if (system.Values[2] > rounding)
+    {
+      plane.Along = system.Vectors.col(2);
+    }
   }
   return plane;
 }

@@ -22,10 +22,10 @@ namespace SurfaceDenoising
 
 struct Plane
 {
-  Vec3 Centre = Vec3(0.0, 0.0, 0.0);    ///< relative to the same place as the points
-  Vec3 Normal = Vec3(0.0, 0.0, 0.0);    ///< zero if the points do not define a plane
-  Vec3 Along = Vec3(0.0, 0.0, 0.0);     ///< where the points extend most, on a line as well
-  Vec3 Variances = Vec3(0.0, 0.0, 0.0); ///< eigenvalues of C, ascending
+  Vec3 Centre = Vec3(0.0, 0.0, 0.0); ///< relative to the same place as the points
+  Vec3 Normal = Vec3(0.0, 0.0, 0.0); ///< zero if the points do not define a plane
+  Vec3 Along = Vec3(0.0, 0.0, 0.0); ///< where the points extend most, on a line as well; of FitAxes
+  Vec3 Variances = Vec3(0.0, 0.0, 0.0); ///< eigenvalues of C, ascending; see FindLeastAxis
 
   double HeightOf(const Vec3& p) const { return this->Normal.dot(p - this->Centre); }
 };
@@ -64,7 +64,12 @@ public:
   /// the two larger variances must be above the rounding of the smallest.
   Plane Fit() const;
 
+  /// The same with the direction Along and all digits of the variances, which takes longer.
+  Plane FitAxes() const;
+
 private:
+  bool FindCovariance(Plane& plane, Mat3& covariance, double& rounding) const;
+
   Moments Sums = {};
 };
 

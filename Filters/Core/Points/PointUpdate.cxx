@@ -57,7 +57,9 @@ std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter
       RowSums sums;
       if (weights.IncludesOwn())
       {
-        sums.Weight += *w++; // no height, no way to oneself
+        // No height, no way to oneself; but the own plane holds back.
+        sums.Quadric += *w * n * n.transpose();
+        sums.Weight += *w++;
       }
       for (const Index j : graph.Row(i))
       {
