@@ -62,7 +62,9 @@ std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter
       RowSums sums;
       if (weights.IncludesOwn())
       {
-        sums.Weight += *w++; // no height, no way to oneself
+        // No height, no way to oneself; but the own plane holds back.
+        sums.Quadric += *w * n * n.transpose();
+        sums.Weight += *w++;
       }
       const Vec3 line = settings.Lines ? (*settings.Lines)[i] : Vec3(0.0, 0.0, 0.0);
       for (const Index j : graph.Row(i))
