@@ -30,6 +30,7 @@ public:
   bool Run(PointSet& points, Execution& execution, double first, double last) override
   {
     this->Done.NormScale = this->Settings.RangeScale;
+    this->TakeOwnNormals(points);
     auto at = [&](double share) { return first + (last - first) * share; };
     Buffer<unsigned char> features;
     if (!this->FindFeatures(points, features, execution, first, at(0.1)))
@@ -43,6 +44,7 @@ public:
       settings.Clusters.Maximum = this->Settings.MaximumBundles;
       settings.Clusters.Unoriented = this->Settings.Unoriented;
       settings.SpatialScale = this->Settings.SpatialScale;
+      settings.Reach = this->Settings.BundleReach;
       InterruptedExecution interrupted(execution, at(0.1), at(0.2));
       nodes = MakeBundles(points, features, settings, interrupted);
       if (!interrupted.Proceed(0.0))
@@ -50,7 +52,7 @@ public:
         return false;
       }
     }
-    this->GatherNodes(points, nodes);
+    this->GatherNodes(points, nodes, execution);
     if (!this->FilterNormals(points, nodes, execution, at(0.2), at(0.7)) ||
       !this->MovePoints(points, nodes, execution, at(0.7), last))
     {
@@ -106,21 +108,25 @@ private:
   }
 
   /// What the filter needs to know of nodes.
-  void GatherNodes(const PointSet& points, const BundleNodes& nodes)
+  void GatherNodes(const PointSet& points, const BundleNodes& nodes, Execution& execution)
   {
     const std::size_t size = nodes.Size();
     this->Areas.assign(size, 1.0);
     this->Positions.resize(size);
     this->Widths.resize(points.LocalScale ? size : 0);
-    for (std::size_t k = 0; k < size; ++k)
-    {
-      this->Positions[k] = points.Positions[nodes.Points[k]];
-      if (points.LocalScale)
+    execution.For(size,
+      [&](std::size_t begin, std::size_t end)
       {
-        this->Widths[k] =
-          this->Settings.SpatialScale / std::sqrt(2.0) * points.SpacingAt(nodes.Points[k]);
-      }
-    }
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          const Index i = nodes.Points[k];
+          this->Positions[k] = points.Positions[i];
+          if (points.LocalScale)
+          {
+            this->Widths[k] = this->Settings.SpatialScale / std::sqrt(2.0) * points.SpacingAt(i);
+          }
+        }
+      });
   }
 
   /// The engine on nodes. Distances are those of points, so that rows may be matched anew.
@@ -131,7 +137,7 @@ private:
     settings.Norm = GaussianNorm{ this->Settings.RangeScale / std::sqrt(2.0) };
     settings.Argument = NormalArgument::Chord;
     settings.SpatialSigma = this->Settings.SpatialScale / std::sqrt(2.0) * points.Spacing;
-    settings.Weighting = SiteWeight::Uniform;
+    settings.Weighting = SiteWeight::Area;
     settings.IncludeOwn = includeOwn;
     settings.Unoriented = this->Settings.Unoriented;
     auto filter = std::make_unique<NormalFilter>(nodes.Graph, settings);
@@ -152,7 +158,7 @@ private:
     }
     const PointPatchSettings patches{ static_cast<std::size_t>(
                                         std::max(0, settings.PatchNeighbors)),
-      settings.PatchAgreement, settings.Unoriented };
+      settings.PatchAgreement, settings.Unoriented, settings.PatchAgreement };
     const auto filter = this->MakeFilter(points, nodes, true, execution);
     Buffer<Vec3> guide;
     Buffer<Vec3> filtered;
@@ -181,6 +187,11 @@ private:
     if (settings.PointIterations < 1)
     {
       return true;
+    }
+    for (std::size_t k = 0; k < nodes.Size(); ++k)
+    {
+      const bool feature = nodes.CountAt(nodes.Points[k]) > 1;
+      this->Areas[k] = feature ? std::max(0.0, settings.FeaturePull) : 1.0;
     }
     const auto filter = this->MakeFilter(points, nodes, false, execution);
     PointUpdateSettings update;
@@ -224,7 +235,21 @@ private:
     return true;
   }
 
-  void Finish(PointSet& points, const BundleNodes& nodes) const
+  /// The mean of bundles is the normal that features leave with, but between two faces it is that
+  /// of neither: what they start from is a normal of their bundle.
+  void TakeOwnNormals(PointSet& points)
+  {
+    for (const OwnNormal& own : this->OwnNormals)
+    {
+      if (own.Point < points.Size() && points.Normals[own.Point] == own.Mean)
+      {
+        points.Normals[own.Point] = own.Normal;
+      }
+    }
+    this->OwnNormals.clear();
+  }
+
+  void Finish(PointSet& points, const BundleNodes& nodes)
   {
     points.Classes.resize(points.Size());
     for (std::size_t i = 0; i < points.Size(); ++i)
@@ -233,32 +258,46 @@ private:
       points.Classes[i] = count < 2 ? FeatureClass::Flat
         : count == 2                ? FeatureClass::Edge
                                     : FeatureClass::Corner;
-      Vec3 sum(0.0, 0.0, 0.0);
+      const Vec3 before = points.Normals[i];
+      OwnNormal own{ static_cast<Index>(i), Vec3(0.0, 0.0, 0.0), before };
+      double most = -2.0;
       for (Index k = nodes.First[i]; k < nodes.First[i + 1]; ++k)
       {
-        const bool turned =
-          this->Settings.Unoriented && nodes.Normals[k].dot(points.Normals[i]) < 0.0;
-        sum += turned ? Vec3(-nodes.Normals[k]) : nodes.Normals[k];
+        const bool turned = this->Settings.Unoriented && nodes.Normals[k].dot(before) < 0.0;
+        const Vec3 n = turned ? Vec3(-nodes.Normals[k]) : nodes.Normals[k];
+        own.Mean += n;
+        if (n.dot(before) > most)
+        {
+          most = n.dot(before);
+          own.Normal = n;
+        }
       }
-      if (count == 1)
+      if (count > 1)
       {
-        points.Normals[i] = sum;
+        const double length = own.Mean.norm();
+        own.Mean = length > 1e-12 ? Vec3(own.Mean / length) : own.Normal;
+        this->OwnNormals.push_back(own);
       }
-      else if (sum.norm() > 1e-12)
-      {
-        points.Normals[i] = sum.normalized();
-      }
-      if (points.Normals[i].isZero(0.0))
+      points.Normals[i] = own.Mean;
+      if (own.Mean.isZero(0.0))
       {
         points.Status[i] = PointStatus::Kept;
       }
     }
   }
 
+  struct OwnNormal
+  {
+    Index Point;
+    Vec3 Mean;   ///< of its bundle, what it left with
+    Vec3 Normal; ///< of its bundle, the closest to what it came with
+  };
+
   NormalBundlesSettings Settings;
   Buffer<double> Areas;
   Buffer<Vec3> Positions; ///< of nodes
   Buffer<double> Widths;  ///< of the spatial kernel, if scales are local
+  std::vector<OwnNormal> OwnNormals;
 };
 
 }

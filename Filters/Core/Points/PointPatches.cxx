@@ -32,9 +32,10 @@ Patch JudgePatch(const NeighborGraph& graph, const Buffer<Vec3>& normals, std::s
   for (std::size_t k = 0; k < std::min(settings.Neighbors, row.size()); ++k)
   {
     const Vec3& n = normals[row[k]];
-    if (!n.isZero(0.0))
+    const double cosine = n.dot(centre);
+    const bool turned = settings.Unoriented && cosine < 0.0;
+    if (!n.isZero(0.0) && (turned ? -cosine : cosine) >= settings.MemberAgreement)
     {
-      const bool turned = settings.Unoriented && n.dot(centre) < 0.0;
       members.push_back(turned ? Vec3(-n) : n);
     }
   }
