@@ -73,6 +73,11 @@ private:
     const double spacing = this->Points.SpacingAt(i);
     const double sigma = settings.SpatialScale * spacing;
     ClusterNormals(this->Normals, this->Points.Normals[i], settings.Clusters, this->Clusters);
+    if (this->Clusters.Centres.size() == 1)
+    {
+      bundle[0] = this->Points.Normals[i]; // all alike: no feature
+      return 1;
+    }
     std::size_t count = 0;
     for (std::size_t c = 0; c < this->Clusters.Centres.size(); ++c)
     {

@@ -43,10 +43,11 @@ struct BundleSettings
 /**
  * The bundles of all points. Points that are no features have their own normal. For a feature i,
  * the normals of the neighbours that are no features themselves (of all neighbours, if these are
- * fewer than FewestFlat) are clustered, see NormalClusters.h. With w_j = exp(-(d_ij / sigma)^2)
- * over the members of a cluster, its plane has the normal n = sum w_j n_j, normalised, and goes
- * through sum w_j p_j / sum w_j. The bundle are the normals of the planes within Reach of p_i; if
- * there are none, all neighbours are clustered; if there still are none, i keeps its own normal.
+ * fewer than FewestFlat) are clustered, see NormalClusters.h; if they are one cluster, i keeps its
+ * own normal. With w_j = exp(-(d_ij / sigma)^2) over the members of a cluster, its plane has the
+ * normal n = sum w_j n_j, normalised, and goes through sum w_j p_j / sum w_j. The bundle are the
+ * normals of the planes within Reach of p_i; if there are none, all neighbours are clustered; if
+ * there still are none, i keeps its own normal.
  *
  * Neighbours without a normal have no say. The graph has rows of the right lengths, without
  * neighbours yet.
