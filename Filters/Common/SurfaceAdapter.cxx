@@ -3,11 +3,10 @@
 
 #include "SurfaceAdapter.h"
 
+#include "ArrayDispatch.h"
 #include "SurfaceTriangulation.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkCellData.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -22,41 +21,11 @@ namespace SurfaceDenoising
 namespace
 {
 
-using DispatchReals = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
-
-/// Runs worker(array, ...) on the fast type of an array if it has one, else on vtkDataArray.
-template <typename Worker, typename... Args>
-void OnArray(vtkDataArray* array, Worker worker, Args&&... args)
-{
-  if (!DispatchReals::Execute(array, worker, args...))
-  {
-    worker(array, args...);
-  }
-}
-
-struct CopyPoints
-{
-  template <typename Array>
-  void operator()(Array* array, Buffer<Vec3>& positions, Execution& execution) const
-  {
-    const auto points = vtk::DataArrayTupleRange<3>(array);
-    execution.For(positions.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const auto p = points[static_cast<vtkIdType>(i)];
-          positions[i] = Vec3(p[0], p[1], p[2]);
-        }
-      });
-  }
-};
-
 /// Adds displacements to input points.
 struct AddDisplacements
 {
   template <typename Array, typename Value>
-  void operator()(Array* array, const MeshView& view, const Buffer<Vec3>& positions, Value* moved,
+  void operator()(Array* array, const Vec3& centre, const Buffer<Vec3>& positions, Value* moved,
     Execution& execution) const
   {
     const auto points = vtk::DataArrayTupleRange<3>(array);
@@ -69,8 +38,8 @@ struct AddDisplacements
           for (int c = 0; c < 3; ++c)
           {
             const double before = static_cast<double>(p[c]);
-            const double displacement = positions[i][c] - (before - view.Centre[c]);
-            // Points that are not finite belong to no polygon and stay.
+            const double displacement = positions[i][c] - (before - centre[c]);
+            // Points that are not finite stay.
             moved[3 * i + c] = static_cast<Value>(
               displacement == 0.0 || std::isnan(displacement) ? before : before + displacement);
           }
@@ -142,7 +111,7 @@ bool ReadSurface(vtkPolyData* surface, MeshView& view, std::string& error, Execu
 
   Buffer<Vec3>& positions = view.Mesh.Positions;
   positions.resize(static_cast<std::size_t>(points));
-  OnArray(surface->GetPoints()->GetData(), CopyPoints{}, positions, execution);
+  OnArray(surface->GetPoints()->GetData(), CopyVectors{}, positions, execution);
   if (view.Mesh.NumberOfFaces() == 0)
   {
     return true;
@@ -172,7 +141,7 @@ bool ReadSurface(vtkPolyData* surface, MeshView& view, std::string& error, Execu
   return true;
 }
 
-vtkSmartPointer<vtkPoints> MovedPoints(vtkPolyData* surface, const MeshView& view,
+vtkSmartPointer<vtkPoints> MovedPoints(vtkPolyData* surface, const Vec3& centre,
   const Buffer<Vec3>& positions, Execution& execution)
 {
   vtkDataArray* before = surface->GetPoints()->GetData();
@@ -183,12 +152,12 @@ vtkSmartPointer<vtkPoints> MovedPoints(vtkPolyData* surface, const MeshView& vie
   if (isFloat)
   {
     float* values = static_cast<float*>(moved->GetVoidPointer(0));
-    OnArray(before, AddDisplacements{}, view, positions, values, execution);
+    OnArray(before, AddDisplacements{}, centre, positions, values, execution);
   }
   else
   {
     double* values = static_cast<double*>(moved->GetVoidPointer(0));
-    OnArray(before, AddDisplacements{}, view, positions, values, execution);
+    OnArray(before, AddDisplacements{}, centre, positions, values, execution);
   }
   return moved;
 }

@@ -53,11 +53,11 @@ struct MeshView
 bool ReadSurface(vtkPolyData* surface, MeshView& view, std::string& error, Execution& execution);
 
 /**
- * New points for a surface whose vertices moved from view.Mesh to positions: the input point plus
- * the displacement, so that what did not move keeps its bits. Points are float if the input's are,
- * else double.
+ * New points for a surface whose points moved to positions, which are relative to centre: the input
+ * point plus the displacement, so that what did not move keeps its bits. Points are float if the
+ * input's are, else double.
  */
-vtkSmartPointer<vtkPoints> MovedPoints(vtkPolyData* surface, const MeshView& view,
+vtkSmartPointer<vtkPoints> MovedPoints(vtkPolyData* surface, const Vec3& centre,
   const Buffer<Vec3>& positions, Execution& execution);
 
 /// One unit vector per cell: the mean of the vectors of its triangles, weighted by area. Zero for

@@ -31,6 +31,39 @@ public:
   }
 };
 
+/// Row j of the result lists the rows that have j, in ascending order; it has as many rows as
+/// given.
+inline CompressedRows Transpose(const CompressedRows& rows, std::size_t count)
+{
+  CompressedRows transposed;
+  transposed.Offsets.assign(count + 1, 0);
+  std::uint64_t* offsets = transposed.Offsets.data();
+  for (const Index j : rows.Ids)
+  {
+    ++offsets[j + 1];
+  }
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    offsets[j + 1] += offsets[j];
+  }
+  transposed.Ids.resize(rows.NumberOfIds());
+  // Filling moves every offset to the start of the next row; the shift afterwards moves it back.
+  Index* ids = transposed.Ids.data();
+  for (std::size_t i = 0; i < rows.NumberOfRows(); ++i)
+  {
+    for (const Index j : rows.Row(i))
+    {
+      ids[offsets[j]++] = static_cast<Index>(i);
+    }
+  }
+  for (std::size_t j = count; j > 0; --j)
+  {
+    offsets[j] = offsets[j - 1];
+  }
+  offsets[0] = 0;
+  return transposed;
+}
+
 /**
  * Builds rows in parallel. makeAppend() is called once for every stretch of rows that a thread
  * takes and returns a function for it, which may own memory to work in: append(i, ids) adds the

@@ -39,6 +39,7 @@ void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& executio
   this->InverseSquaredDistances.resize(curvature ? entries : 0);
   std::fill(this->FixedWeights.begin() + entries, this->FixedWeights.end(), 0.0);
   this->Positions = &geometry.Positions;
+  this->Centres = geometry.Centres ? geometry.Centres : &geometry.Positions;
   this->NormScaleFactors = geometry.NormScaleFactors;
   if (settings.Argument == NormalArgument::SiteCurvature)
   {
@@ -75,20 +76,7 @@ void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& executio
         if (spatial || curvature)
         {
           SquaredDistances<VectorKind::Positions>({ this->Graph, own, block.First, block.Last },
-            geometry.Positions.data(), geometry.Positions.data(), squares.data());
-        }
-        if (curvature)
-        {
-          InvertSquares(squares.data(), block.Count, geometry.Shortest * geometry.Shortest,
-            this->InverseSquaredDistances.data() + block.Entry);
-        }
-        if (bent && own)
-        {
-          // No way to oneself: the least that keeps products finite.
-          for (std::size_t i = block.First; i < block.Last; ++i)
-          {
-            this->InverseSquaredDistances[this->EntryOf(i)] = 1e300;
-          }
+            this->Centres->data(), geometry.Positions.data(), squares.data());
         }
         if (geometry.SpatialSigmas)
         {
@@ -102,6 +90,25 @@ void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& executio
         else if (spatial)
         {
           Attenuate(GaussianNorm{ settings.SpatialSigma }, squares.data(), block.Count, fixed);
+        }
+        if (curvature)
+        {
+          if (bent && geometry.NormScaleFactors)
+          {
+            // With distances over the factor of the site, x comes out over the factor.
+            DivideBySquares({ this->Graph, own, block.First, block.Last },
+              geometry.NormScaleFactors->data(), squares.data());
+          }
+          InvertSquares(squares.data(), block.Count, geometry.Shortest * geometry.Shortest,
+            this->InverseSquaredDistances.data() + block.Entry);
+        }
+        if (bent && own && !geometry.Centres)
+        {
+          // No way to oneself: the least that keeps products finite.
+          for (std::size_t i = block.First; i < block.Last; ++i)
+          {
+            this->InverseSquaredDistances[this->EntryOf(i)] = 1e300;
+          }
         }
       };
       this->ForBlocks(begin, end, fix);
@@ -120,7 +127,8 @@ void NormalFilter::ComputeWeights(const Block& block, const Fields& fields, doub
   }
   if (argument == NormalArgument::Height)
   {
-    SquaredHeights(rows, fields.Centre.data(), this->Positions->data(), weights);
+    SquaredHeights(rows, fields.Centre.data(), this->Centres->data(), this->Positions->data(),
+      weights);
   }
   else if (this->Settings.Unoriented)
   {
@@ -144,7 +152,7 @@ void NormalFilter::ComputeWeights(const Block& block, const Fields& fields, doub
     ChordsToBentArcs(this->InverseSquaredDistances.data() + block.Entry, block.Count,
       this->Settings.BendFactor, weights);
   }
-  if (this->NormScaleFactors)
+  if (this->NormScaleFactors && argument != NormalArgument::BentArc)
   {
     DivideBySquares(rows, this->NormScaleFactors->data(), weights);
   }

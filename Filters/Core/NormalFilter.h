@@ -101,8 +101,12 @@ struct SiteGeometry
   const Buffer<double>* SpatialSigmas = nullptr; ///< per site, instead of SpatialSigma
   const Buffer<double>* Couplings = nullptr;     ///< per entry of the graph, for Coupling
   const Buffer<double>* Curvatures = nullptr;    ///< per site, for SiteCurvature
-  /// Per site: a factor for the scale of the norm. Must outlive the sweeps.
+  /// Per site: a factor for the scale of the norm, and for all lengths of BentArc: Shortest as
+  /// well, and BendFactor by its fourth power. Must outlive the sweeps.
   const Buffer<double>* NormScaleFactors = nullptr;
+  /// Per site: the place c_i that distances and heights are measured from, if that is not where the
+  /// site is. The site itself then is as far away as it is. Must outlive the sweeps.
+  const Buffer<Vec3>* Centres = nullptr;
 };
 
 class NormalFilter
@@ -212,6 +216,7 @@ private:
   Buffer<double> InverseSquaredDistances;  ///< for curvatures along the line between two sites
   Buffer<double> SiteFactors;              ///< g(x_i), for SiteCurvature
   const Buffer<Vec3>* Positions = nullptr; ///< for Height, those of SetGeometry
+  const Buffer<Vec3>* Centres = nullptr;
   const Buffer<double>* NormScaleFactors = nullptr;
 };
 

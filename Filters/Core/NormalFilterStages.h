@@ -90,9 +90,10 @@ SURFACEDENOISING_VECTORIZED void SquaredDistances(const Rows& rows, const Vec3* 
   }
 }
 
-/// Instead of stages 1 and 2, if heights are compared: (n_i . (c_j - c_i))^2.
+/// Instead of stages 1 and 2, if heights are compared: (n_i . (p_j - c_i))^2.
 SURFACEDENOISING_VECTORIZED
-void SquaredHeights(const Rows& rows, const Vec3* normals, const Vec3* positions, double* squares)
+void SquaredHeights(const Rows& rows, const Vec3* normals, const Vec3* centres,
+  const Vec3* positions, double* squares)
 {
   const std::uint64_t* offsets = rows.Graph.Offsets.data();
   const Index* ids = rows.Graph.Ids.data();
@@ -100,17 +101,19 @@ void SquaredHeights(const Rows& rows, const Vec3* normals, const Vec3* positions
   for (std::size_t i = rows.First; i < rows.Last; ++i)
   {
     const Vec3& n = normals[i];
-    const Vec3& c = positions[i];
+    const Vec3& c = centres[i];
+    auto square = [&](const Vec3& p)
+    {
+      const double height = n[0] * (p[0] - c[0]) + n[1] * (p[1] - c[1]) + n[2] * (p[2] - c[2]);
+      return height * height;
+    };
     if (rows.Own)
     {
-      squares[k++] = 0.0;
+      squares[k++] = square(positions[i]);
     }
     for (std::uint64_t p = offsets[i]; p < offsets[i + 1]; ++p)
     {
-      const Vec3& other = positions[ids[p]];
-      const double height =
-        n[0] * (other[0] - c[0]) + n[1] * (other[1] - c[1]) + n[2] * (other[2] - c[2]);
-      squares[k++] = height * height;
+      squares[k++] = square(positions[ids[p]]);
     }
   }
   for (const std::size_t end = RoundUp(k); k < end; ++k)

@@ -5,6 +5,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
@@ -42,11 +43,33 @@ bool AreSame(vtkCellArray* a, vtkCellArray* b)
 
 }
 
+void ComparedSurface::Shift(const Vec3& shift)
+{
+  for (Vec3& position : this->View.Mesh.Positions)
+  {
+    position += shift;
+  }
+}
+
 void ComparedSurface::Analyze(Execution& execution)
 {
   this->Stars = VertexStars(this->View.Mesh);
   this->Census = TakeEdgeCensus(this->View.Mesh, this->Stars, execution);
   ComputeFaceGeometry(this->View.Mesh, this->Census.MeanEdgeLength, this->Geometry, execution);
+  this->Points = this->View.Mesh.Positions;
+  for (std::size_t v = 0; v < this->Points.size(); ++v)
+  {
+    if (!IsPlace(this->Points[v]) || (!this->IsCloud() && this->Stars.Row(v).size() == 0))
+    {
+      this->Points[v] = Vec3::Constant(Undefined);
+    }
+  }
+}
+
+void ComparedSurface::BecomeCloud(Execution& execution)
+{
+  this->View.Mesh.Triangles.clear();
+  this->Analyze(execution);
 }
 
 bool ComparedSurface::HasArea() const
@@ -55,14 +78,19 @@ bool ComparedSurface::HasArea() const
     [](double area) { return area > 0.0; });
 }
 
+bool ComparedSurface::HasPoints() const
+{
+  return std::any_of(this->Points.begin(), this->Points.end(), IsPlace);
+}
+
 double ComparedSurface::Diagonal() const
 {
   Eigen::AlignedBox3d box;
-  for (const Triangle& t : this->View.Mesh.Triangles)
+  for (const Vec3& p : this->Points)
   {
-    for (const Index v : t)
+    if (IsPlace(p))
     {
-      box.extend(this->View.Mesh.Positions[v]);
+      box.extend(p);
     }
   }
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
@@ -73,16 +101,44 @@ double ComparedSurface::EnclosedVolume(Execution& execution) const
   return IsClosed(this->Census) ? SignedVolume(this->View.Mesh, execution) : Undefined;
 }
 
-Statistics ComparedSurface::SummarizeVertices(Buffer<double> values, Execution& execution) const
+void ComparedSurface::LeaveOutUnused(Buffer<double>& values) const
 {
-  for (std::size_t v = 0; v < values.size() && this->NumberOfFaces() > 0; ++v)
+  for (std::size_t v = 0; v < values.size() && !this->IsCloud(); ++v)
   {
     if (this->Stars.Row(v).size() == 0)
     {
       values[v] = Undefined;
     }
   }
+}
+
+Statistics ComparedSurface::SummarizeVertices(Buffer<double> values, Execution& execution) const
+{
+  this->LeaveOutUnused(values);
   return Summarize(values, {}, execution);
+}
+
+bool ComparedSurface::ReadPointNormals(Buffer<Vec3>& normals) const
+{
+  vtkDataArray* array = this->Data->GetPointData()->GetNormals();
+  if (!array && this->IsCloud())
+  {
+    array = this->Data->GetPointData()->GetArray("Normals");
+  }
+  if (!array || array->GetNumberOfComponents() != 3 ||
+    array->GetNumberOfTuples() != this->Data->GetNumberOfPoints())
+  {
+    return false;
+  }
+  normals.resize(this->NumberOfVertices());
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    Vec3& n = normals[i];
+    array->GetTuple(static_cast<vtkIdType>(i), n.data());
+    const double length = n.stableNorm();
+    n = length > 0.0 && std::isfinite(length) ? Vec3(n / length) : Vec3(0.0, 0.0, 0.0);
+  }
+  return true;
 }
 
 vtkSmartPointer<vtkDoubleArray> ComparedSurface::CellMeans(const Buffer<double>& values,
@@ -123,12 +179,12 @@ void TriangulateAlike(const MeshView& reference, MeshView& result)
   }
 }
 
-NearestFaces FindNearest(const TriangleTree& tree, const Buffer<Vec3>& positions,
+NearestElements FindNearest(const TriangleTree& tree, const Buffer<Vec3>& positions,
   Execution& execution)
 {
-  NearestFaces nearest;
+  NearestElements nearest;
   nearest.Distances.resize(positions.size());
-  nearest.Faces.resize(positions.size());
+  nearest.Numbers.resize(positions.size());
   execution.For(
     positions.size(),
     [&](std::size_t begin, std::size_t end)
@@ -137,7 +193,7 @@ NearestFaces FindNearest(const TriangleTree& tree, const Buffer<Vec3>& positions
       {
         const TriangleTree::Hit hit = tree.Nearest(positions[i]);
         nearest.Distances[i] = hit.Distance;
-        nearest.Faces[i] = hit.Face;
+        nearest.Numbers[i] = hit.Face;
       }
     },
     1024);

@@ -4,12 +4,16 @@
 /**
  * @file ComparedSurface.h
  * @brief One of the two sides of a comparison, with what is needed of it more than once.
+ *
+ * A side without faces is a point cloud: all its points count. Of a surface, the points that its
+ * faces use count.
  */
 
 #ifndef SurfaceDenoising_ComparedSurface_h
 #define SurfaceDenoising_ComparedSurface_h
 
 #include "Metrics.h"
+#include "PointMetrics.h"
 #include "SurfaceAdapter.h"
 #include "TriangleTree.h"
 
@@ -25,27 +29,51 @@ struct ComparedSurface
   CompressedRows Stars;
   EdgeCensus Census;
   FaceGeometry Geometry;
+  Buffer<Vec3>
+    Points; ///< those that count; NaN in place of the others and of those that are nowhere
 
   std::size_t NumberOfVertices() const { return this->View.Mesh.NumberOfVertices(); }
   std::size_t NumberOfFaces() const { return this->View.Mesh.NumberOfFaces(); }
 
-  /// Computes stars, census and geometry of the mesh in View.
+  bool IsCloud() const { return this->NumberOfFaces() == 0; }
+
+  /// Moves the coordinates.
+  void Shift(const Vec3& shift);
+
+  /// Computes stars, census, geometry and points of the mesh in View.
   void Analyze(Execution& execution);
+
+  /// Forgets the faces.
+  void BecomeCloud(Execution& execution);
 
   /// True if there is a face with an area.
   bool HasArea() const;
 
+  /// True if there is a point that counts.
+  bool HasPoints() const;
+
   /// For distances to the faces.
   TriangleTree MakeTree() const { return { this->View.Mesh, this->Geometry.Areas }; }
 
-  /// Diagonal of the bounding box of the faces.
+  /// Diagonal of the bounding box of the points that count.
   double Diagonal() const;
 
   /// The volume inside, or NaN if there is no inside.
   double EnclosedVolume(Execution& execution) const;
 
-  /// Statistics of the values of the vertices of faces; of all vertices if there are no faces.
+  /// Replaces the values of vertices that do not count by NaN.
+  void LeaveOutUnused(Buffer<double>& values) const;
+
+  /// Statistics of the values of the vertices that count.
   Statistics SummarizeVertices(Buffer<double> values, Execution& execution) const;
+
+  /**
+   * Unit normals of the points: the active ones, or of a cloud the array "Normals" if there are no
+   * active ones. (On a surface, such an array is what a filter left of the surface before.) Zero
+   * for those that are zero or not finite. False if there are none, or if they have not three
+   * components and a tuple for every point.
+   */
+  bool ReadPointNormals(Buffer<Vec3>& normals) const;
 
   /// For each cell the area-weighted mean of the values of its faces, NaN without any.
   vtkSmartPointer<vtkDoubleArray> CellMeans(const Buffer<double>& values, const char* name) const;
@@ -61,13 +89,7 @@ bool HaveSameFaces(vtkPolyData* a, vtkPolyData* b);
 void TriangulateAlike(const MeshView& reference, MeshView& result);
 
 /// What TriangleTree::Nearest answers, for many positions.
-struct NearestFaces
-{
-  Buffer<double> Distances;
-  Buffer<Index> Faces;
-};
-
-NearestFaces FindNearest(const TriangleTree& tree, const Buffer<Vec3>& positions,
+NearestElements FindNearest(const TriangleTree& tree, const Buffer<Vec3>& positions,
   Execution& execution);
 
 /// A named array of NaN.

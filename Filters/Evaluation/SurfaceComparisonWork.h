@@ -11,8 +11,10 @@
 
 #include "ComparedSurface.h"
 #include "SMPExecution.h"
+#include "SurfaceSides.h"
 #include "vtkSurfaceComparison.h"
 
+#include <memory>
 #include <string>
 
 struct vtkSurfaceComparison::Work
@@ -23,8 +25,15 @@ struct vtkSurfaceComparison::Work
   std::string Error;
   /// Face of the reference nearest to each face of the result.
   SurfaceDenoising::Buffer<SurfaceDenoising::Index> Partner;
+  /// Face of the reference nearest to each point of the result; point if the reference is a cloud.
+  SurfaceDenoising::Buffer<SurfaceDenoising::Index> PointPartner;
   SurfaceDenoising::Buffer<double> Distances;    ///< of the points of the result
   SurfaceDenoising::Buffer<double> NormalAngles; ///< of the faces of the result
+  /// Of the points of the result; empty if there is nothing to compare.
+  SurfaceDenoising::Buffer<double> PointNormalAngles;
+  /// 1 for each face of the reference near features.
+  SurfaceDenoising::Buffer<unsigned char> NearFaces;
+  std::unique_ptr<SurfaceDenoising::SurfaceSides> Sides; ///< of the reference, if it is a surface
 
   explicit Work(vtkAlgorithm* algorithm)
     : Execution(algorithm)

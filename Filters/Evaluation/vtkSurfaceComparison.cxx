@@ -26,7 +26,7 @@ struct vtkSurfaceComparison::Quantity
   const char* Name;
   double vtkSurfaceComparison::*Value;
 
-  static const Quantity All[30];
+  static const Quantity All[49];
 };
 
 #define QuantityMacro(name)                                                                        \
@@ -64,6 +64,25 @@ const vtkSurfaceComparison::Quantity vtkSurfaceComparison::Quantity::All[] = {
   QuantityMacro(SmoothNormalAngle),
   QuantityMacro(TriangleQuality),
   QuantityMacro(ReferenceTriangleQuality),
+  QuantityMacro(RMSDistance),
+  QuantityMacro(MaximumDistance),
+  QuantityMacro(RelativeRMSDistance),
+  QuantityMacro(RelativeMaximumDistance),
+  QuantityMacro(MeanSignedDistance),
+  QuantityMacro(FeaturePoints),
+  QuantityMacro(FeatureDistance),
+  QuantityMacro(SmoothDistance),
+  QuantityMacro(ChamferDistance),
+  QuantityMacro(SquaredChamferDistance),
+  QuantityMacro(PointHausdorffToReference),
+  QuantityMacro(PointHausdorffFromReference),
+  QuantityMacro(PointHausdorffDistance),
+  QuantityMacro(SpacingVariation),
+  QuantityMacro(ReferenceSpacingVariation),
+  QuantityMacro(MeanPointNormalAngle),
+  QuantityMacro(RMSPointNormalAngle),
+  QuantityMacro(SharePointNormalsWithin10),
+  QuantityMacro(FlippedPointNormals),
 };
 #undef QuantityMacro
 
@@ -133,6 +152,12 @@ int vtkSurfaceComparison::RequestData(vtkInformation*, vtkInformationVector** in
   auto distances = MakeUndefinedArray("Distance", output->GetNumberOfPoints());
   std::copy(work.Distances.begin(), work.Distances.end(), distances->GetPointer(0));
   output->GetPointData()->AddArray(distances);
+  if (!work.PointNormalAngles.empty())
+  {
+    auto angles = MakeUndefinedArray("PointNormalAngleError", output->GetNumberOfPoints());
+    std::copy(work.PointNormalAngles.begin(), work.PointNormalAngles.end(), angles->GetPointer(0));
+    output->GetPointData()->AddArray(angles);
+  }
   output->GetCellData()->AddArray(work.Result.CellMeans(work.NormalAngles, "NormalAngleError"));
   this->WriteQuantities(output, vtkTable::GetData(outputs, 1));
   return 1;

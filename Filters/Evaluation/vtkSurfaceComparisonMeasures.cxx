@@ -21,16 +21,18 @@ double Larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 bool vtkSurfaceComparison::Compare(Work& work)
 {
-  if (!this->ReadSurfaces(work) || !this->MeasureDistances(work))
+  if (!this->ReadSurfaces(work) || !this->MeasureDistances(work) || !this->MeasurePointSets(work))
   {
     return false;
   }
-  this->CompareNormals(work);
   this->CompareShapes(work);
-  if (this->SameConnectivity != 0.0)
+  if (!work.Reference.IsCloud())
   {
+    this->CompareNormals(work);
     this->CompareFeatures(work);
+    this->MeasureSides(work);
   }
+  this->ComparePointNormals(work);
   return work.Execution.Proceed(1.0);
 }
 
@@ -50,24 +52,32 @@ bool vtkSurfaceComparison::ReadSurfaces(Work& work)
     return false;
   }
   const bool same = HaveSameFaces(result.Data, reference.Data);
-  this->SameConnectivity = same;
   if (same)
   {
     TriangulateAlike(reference.View, result.View);
   }
-  // From here on in the coordinates of the reference.
+  // From here on in the coordinates of the reference, or of the result if that alone is a surface.
   const Vec3 shift = result.View.Centre - reference.View.Centre;
-  for (Vec3& position : result.View.Mesh.Positions)
+  if (reference.IsCloud())
   {
-    position += shift;
+    reference.Shift(-shift);
+  }
+  else
+  {
+    result.Shift(shift);
   }
   result.Analyze(work.Execution);
   reference.Analyze(work.Execution);
   if (!reference.HasArea())
   {
-    work.Error = "The reference is no surface: it has no polygon or strip with an area.";
+    reference.BecomeCloud(work.Execution);
+  }
+  if (!reference.HasPoints())
+  {
+    work.Error = "The reference has no point with finite coordinates.";
     return false;
   }
+  this->SameConnectivity = same && !reference.IsCloud();
   return work.Execution.Proceed(0.1);
 }
 
@@ -78,27 +88,35 @@ bool vtkSurfaceComparison::MeasureDistances(Work& work)
   SMPExecution& execution = work.Execution;
 
   const TriangleTree referenceFaces = reference.MakeTree();
-  NearestFaces vertices = FindNearest(referenceFaces, result.View.Mesh.Positions, execution);
+  auto findNearest = [&](const Buffer<Vec3>& positions)
+  {
+    return reference.IsCloud() ? FindNearestPoints(reference.Points, positions, execution)
+                               : FindNearest(referenceFaces, positions, execution);
+  };
+  NearestElements vertices = findNearest(result.View.Mesh.Positions);
+  if (!execution.Proceed(0.2))
+  {
+    return false;
+  }
+  NearestElements centroids = findNearest(result.Geometry.Centroids);
   if (!execution.Proceed(0.3))
   {
     return false;
   }
-  NearestFaces centroids = FindNearest(referenceFaces, result.Geometry.Centroids, execution);
-  if (!execution.Proceed(0.5))
-  {
-    return false;
-  }
   work.Distances = std::move(vertices.Distances);
-  work.Partner = std::move(centroids.Faces);
+  work.PointPartner = std::move(vertices.Numbers);
+  work.Partner = std::move(centroids.Numbers);
   const Statistics distances = result.SummarizeVertices(work.Distances, execution);
   this->MeanDistance = distances.Mean;
+  this->RMSDistance = distances.RootMeanSquare;
+  this->MaximumDistance = distances.Maximum;
   this->HausdorffToReference =
     std::fmax(distances.Maximum, Summarize(centroids.Distances, {}, execution).Maximum);
 
   // The way back. Without faces in the result all distances are NaN.
   const TriangleTree resultFaces = result.MakeTree();
   vertices = FindNearest(resultFaces, reference.View.Mesh.Positions, execution);
-  if (!execution.Proceed(0.7))
+  if (!execution.Proceed(0.4))
   {
     return false;
   }
@@ -107,11 +125,15 @@ bool vtkSurfaceComparison::MeasureDistances(Work& work)
     std::fmax(reference.SummarizeVertices(vertices.Distances, execution).Maximum,
       Summarize(centroids.Distances, {}, execution).Maximum);
   this->HausdorffDistance = Larger(this->HausdorffToReference, this->HausdorffFromReference);
-  return execution.Proceed(0.9);
+  return execution.Proceed(0.5);
 }
 
 void vtkSurfaceComparison::CompareNormals(Work& work)
 {
+  if (work.Result.IsCloud()) // not even a number of flipped faces
+  {
+    return;
+  }
   const Buffer<Vec3>& normals = work.Result.Geometry.Normals;
   const Buffer<Vec3>& expected = work.Reference.Geometry.Normals;
   const bool same = this->SameConnectivity != 0.0;
@@ -143,6 +165,12 @@ void vtkSurfaceComparison::CompareFeatures(Work& work)
 {
   const NeighborGraph edges =
     EdgeAdjacentFaces(work.Reference.View.Mesh, work.Reference.Stars, work.Execution);
+  work.NearFaces = FacesNearFeatures(work.Reference.View.Mesh, work.Reference.Stars, edges,
+    work.Reference.Geometry.Normals, this->FeatureAngle, this->FeatureRings, work.Execution);
+  if (this->SameConnectivity == 0.0)
+  {
+    return;
+  }
   const FeatureAgreement features = CompareFeatureEdges(edges, work.Result.Geometry.Normals,
     work.Reference.Geometry.Normals, this->FeatureAngle, work.Execution);
   this->ReferenceFeatureEdges = static_cast<double>(features.Reference);
@@ -150,9 +178,7 @@ void vtkSurfaceComparison::CompareFeatures(Work& work)
   this->MissedFeatureEdges = static_cast<double>(features.Missed());
   this->InventedFeatureEdges = static_cast<double>(features.Invented);
 
-  const Buffer<unsigned char> near =
-    FacesNearFeatures(work.Reference.View.Mesh, work.Reference.Stars, edges,
-      work.Reference.Geometry.Normals, this->FeatureAngle, this->FeatureRings, work.Execution);
+  const Buffer<unsigned char>& near = work.NearFaces;
   this->FeatureFaces = static_cast<double>(std::count(near.begin(), near.end(), 1));
   const DividedMean angles = MeansByMark(work.NormalAngles, near, work.Execution);
   this->FeatureNormalAngle = angles.Inside;
@@ -164,11 +190,15 @@ void vtkSurfaceComparison::CompareShapes(Work& work)
   const ComparedSurface& result = work.Result;
   const ComparedSurface& reference = work.Reference;
   this->ReferenceDiagonal = reference.Diagonal();
+  auto relative = [this](double length) // a single point has no diagonal
+  { return this->ReferenceDiagonal > 0.0 ? length / this->ReferenceDiagonal : Undefined; };
   this->PositionError =
     AreaWeightedDistance(result.View.Mesh, result.Geometry.Areas, work.Distances, work.Execution);
-  this->RelativePositionError = this->PositionError / this->ReferenceDiagonal;
-  this->RelativeMeanDistance = this->MeanDistance / this->ReferenceDiagonal;
-  this->RelativeHausdorffDistance = this->HausdorffDistance / this->ReferenceDiagonal;
+  this->RelativePositionError = relative(this->PositionError);
+  this->RelativeMeanDistance = relative(this->MeanDistance);
+  this->RelativeRMSDistance = relative(this->RMSDistance);
+  this->RelativeMaximumDistance = relative(this->MaximumDistance);
+  this->RelativeHausdorffDistance = relative(this->HausdorffDistance);
 
   this->Volume = result.EnclosedVolume(work.Execution);
   this->ReferenceVolume = reference.EnclosedVolume(work.Execution);

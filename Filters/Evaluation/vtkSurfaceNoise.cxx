@@ -147,7 +147,7 @@ bool vtkSurfaceNoise::MovePoints(vtkPolyData* input, vtkPolyData* output)
   parameters.Seed = static_cast<std::uint64_t>(this->Seed);
   AddNoise(NoiseSource(parameters, positions.size()), normals, positions, execution);
 
-  auto points = MovedPoints(input, view, positions, execution);
+  auto points = MovedPoints(input, view.Centre, positions, execution);
   if (isSurface)
   {
     PassSurface(input, points, output);

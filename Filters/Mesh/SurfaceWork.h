@@ -9,18 +9,13 @@
 #ifndef SurfaceDenoising_SurfaceWork_h
 #define SurfaceDenoising_SurfaceWork_h
 
+#include "DenoisingReport.h"
 #include "SurfaceAdapter.h"
-
-#include <utility>
-#include <vector>
 
 class vtkInformationVector;
 
 namespace SurfaceDenoising
 {
-
-/// An entry of the report.
-using Figure = std::pair<const char*, double>;
 
 struct SurfaceWork
 {
@@ -30,14 +25,7 @@ struct SurfaceWork
   MeshView View; ///< of the input; its positions are moved
 
   Buffer<Vec3> FaceNormals; ///< the filtered normals, one per triangle, if there are any
-  std::vector<Figure> Figures;
-
-  /// Names are literals.
-  template <typename Number>
-  void Add(const char* name, Number value)
-  {
-    this->Figures.emplace_back(name, static_cast<double>(value));
-  }
+  DenoisingReport Report;
 };
 
 }

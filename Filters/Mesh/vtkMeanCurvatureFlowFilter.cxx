@@ -36,7 +36,7 @@ vtkMeshDenoisingFilter::Outcome vtkMeanCurvatureFlowFilter::Move(sd::PreparedMes
   {
     vtkWarningMacro(<< "The surface is not closed or lost its volume; the volume is not restored.");
   }
-  work.Add("Solver Iterations", report.SolverIterations);
+  work.Report.Add("Solver Iterations", report.SolverIterations);
   return FINISHED;
 }
 

@@ -8,34 +8,11 @@
 #include "SurfaceWork.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 namespace sd = SurfaceDenoising;
-
-namespace
-{
-
-/// The figures as one tuple with named components.
-void AddReport(const std::vector<sd::Figure>& figures, vtkFieldData* fieldData)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("DenoisingReport");
-  array->SetNumberOfComponents(static_cast<int>(figures.size()));
-  array->SetNumberOfTuples(1);
-  for (std::size_t i = 0; i < figures.size(); ++i)
-  {
-    array->SetComponentName(static_cast<vtkIdType>(i), figures[i].first);
-    array->SetValue(static_cast<vtkIdType>(i), figures[i].second);
-  }
-  fieldData->AddArray(array);
-}
-
-}
 
 vtkMeshDenoisingFilter::vtkMeshDenoisingFilter() = default;
 vtkMeshDenoisingFilter::~vtkMeshDenoisingFilter() = default;
@@ -85,14 +62,14 @@ bool vtkMeshDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPoly
       break;
   }
 
-  const auto points = sd::MovedPoints(input, work.View, work.View.Mesh.Positions, execution);
+  const auto points = sd::MovedPoints(input, work.View.Centre, work.View.Mesh.Positions, execution);
   sd::PassSurface(input, points, output);
   if (!work.FaceNormals.empty())
   {
     output->GetCellData()->AddArray(
       sd::CellVectors(input, work.View, work.FaceNormals, "FilteredNormals", execution));
   }
-  AddReport(work.Figures, output->GetFieldData());
+  work.Report.WriteTo(output);
   return true;
 }
 
@@ -108,12 +85,12 @@ void vtkMeshDenoisingFilter::TakeFacts(const sd::MeshFacts& facts, sd::SurfaceWo
   this->NumberOfTurnedFaces = static_cast<vtkIdType>(facts.TurnedFaces);
   if (work)
   {
-    work->Add("Mean Edge Length", facts.MeanEdgeLength);
-    work->Add("Degenerate Faces", facts.DegenerateFaces);
-    work->Add("Boundary Edges", facts.BoundaryEdges);
-    work->Add("Non Manifold Edges", facts.NonManifoldEdges);
-    work->Add("Seam Points", facts.SeamVertices);
-    work->Add("Turned Faces", facts.TurnedFaces);
+    work->Report.Add("Mean Edge Length", facts.MeanEdgeLength);
+    work->Report.Add("Degenerate Faces", facts.DegenerateFaces);
+    work->Report.Add("Boundary Edges", facts.BoundaryEdges);
+    work->Report.Add("Non Manifold Edges", facts.NonManifoldEdges);
+    work->Report.Add("Seam Points", facts.SeamVertices);
+    work->Report.Add("Turned Faces", facts.TurnedFaces);
   }
 }
 

@@ -65,14 +65,14 @@ vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork&
     vtkWarningMacro(<< "The normals of the surface have no noise to take a scale from; the surface "
                        "passes through unchanged. Set the scale to filter it all the same.");
   }
-  work.Add("Mean Centroid Distance", report.MeanCentroidDistance);
-  work.Add("Range Scale", report.NormScale);
-  work.Add("Unfiltered Faces", report.UnfilteredFaces);
-  work.Add("Solver Iterations", report.SolverIterations);
-  work.Add("Guarded Points", report.GuardedVertices);
-  work.Add("Seconds Of Setup", report.SetupSeconds);
-  work.Add("Seconds Of Normal Filtering", report.NormalSeconds);
-  work.Add("Seconds Of Vertex Update", report.VertexSeconds);
+  work.Report.Add("Mean Centroid Distance", report.MeanCentroidDistance);
+  work.Report.Add("Range Scale", report.NormScale);
+  work.Report.Add("Unfiltered Faces", report.UnfilteredFaces);
+  work.Report.Add("Solver Iterations", report.SolverIterations);
+  work.Report.Add("Guarded Points", report.GuardedVertices);
+  work.Report.Add("Seconds Of Setup", report.SetupSeconds);
+  work.Report.Add("Seconds Of Normal Filtering", report.NormalSeconds);
+  work.Report.Add("Seconds Of Vertex Update", report.VertexSeconds);
   return FINISHED;
 }
 

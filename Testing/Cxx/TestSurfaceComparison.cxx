@@ -268,9 +268,7 @@ void TestBadInput()
 {
   vtkSmartPointer<vtkPolyData> cube = MakeCube();
   vtkSmartPointer<vtkPolyData> empty = vtkSmartPointer<vtkPolyData>::New();
-  vtkSmartPointer<vtkPolyData> points = MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 } }, {});
-  vtkSmartPointer<vtkPolyData> line =
-    MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { { 0, 1, 2 } });
+  vtkSmartPointer<vtkPolyData> nowhere = MakeSurface({ { NotANumber, 0, 0 } }, {});
   vtkSmartPointer<vtkPolyData> broken =
     MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { NotANumber, 0, 0 } }, { { 0, 1, 2 } });
   const struct
@@ -281,8 +279,9 @@ void TestBadInput()
   } cases[] = {
     { empty, cube, "surface to be judged, is empty" },
     { cube, empty, "reference is empty" },
-    { cube, points, "reference is no surface" },
-    { cube, line, "reference is no surface" },
+    { cube, nowhere, "reference has no point with finite coordinates" },
+    { nowhere, nowhere, "reference has no point with finite coordinates" },
+    { empty, nowhere, "surface to be judged, is empty" },
     { broken, cube, "input cannot be compared" },
     { cube, broken, "reference cannot be compared with" },
   };

@@ -5,7 +5,8 @@
 from paraview import servermanager, simple
 from paraview.simple import (AnisotropicMeanCurvatureFilter, BilateralNormalFilter,
                              MeanCurvatureFlowFilter, NormalVertexUpdate, OpenDataFile,
-                             RobustNormalFilter, Sphere, SurfaceComparison, SurfaceNoise)
+                             PointSource, RobustNormalFilter, Sphere, SurfaceComparison,
+                             SurfaceNoise)
 from paraview.servermanager import Fetch
 from surfacedenoising import vtkDenoisingMethods as methods
 
@@ -74,6 +75,25 @@ def check_all_methods(noisy, truth, before):
         assert after < 0.7 * before, (result.GetXMLName(), before, after)
 
 
+def check_quantities(comparison, table):
+    """Every column of the table is a property as well."""
+    columns = {table.GetColumnName(i): table.GetColumn(i).GetValue(0)
+               for i in range(table.GetNumberOfColumns())}
+    assert "MeanDistance" in columns and "ChamferDistance" in columns, columns
+    for name, value in columns.items():
+        found = information(comparison, name)
+        assert found == value or (found != found and value != value), (name, found, value)
+
+
+def check_cloud(truth):
+    """A point cloud is judged, and is a reference."""
+    cloud = PointSource(NumberOfPoints=50, Radius=1.0)
+    for reference in (truth, cloud):
+        comparison = SurfaceComparison(Input=cloud, Reference=reference)
+        assert (information(comparison, "MeanDistance") == 0.0) == (reference is cloud)
+        assert information(comparison, "SpacingVariation") > 0.0
+
+
 def check(truth):
     noisy = SurfaceNoise(Input=truth, NoiseType="Gaussian", Direction="Vertex Normals", Size=0.2)
     assert information(noisy, "UnitLength") > 0.0
@@ -119,8 +139,10 @@ def check(truth):
     assert table.IsA("vtkTable") and table.GetNumberOfRows() == 1, table
     assert table.GetColumnByName("MeanNormalAngle").GetValue(0) == mean_angle(bilateral, truth)
     assert "NormalAngleError" in comparison.CellData.keys(), comparison.CellData.keys()
+    check_quantities(comparison, table)
 
 
 check(Sphere(ThetaResolution=40, PhiResolution=40))
+check_cloud(Sphere(ThetaResolution=40, PhiResolution=40))
 write_cube("cube.off", 12)
 check(OpenDataFile("cube.off"))

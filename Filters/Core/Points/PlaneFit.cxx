@@ -33,6 +33,10 @@ Plane PlaneSum::Fit() const
   {
     plane.Normal = system.Vectors.col(0);
   }
+  if (system.Values[2] > std::max(rounding, 1e-300))
+  {
+    plane.Along = system.Vectors.col(2);
+  }
   return plane;
 }
 

@@ -24,6 +24,7 @@ struct Plane
 {
   Vec3 Centre = Vec3(0.0, 0.0, 0.0);    ///< relative to the same place as the points
   Vec3 Normal = Vec3(0.0, 0.0, 0.0);    ///< zero if the points do not define a plane
+  Vec3 Along = Vec3(0.0, 0.0, 0.0);     ///< where the points extend most, on a line as well
   Vec3 Variances = Vec3(0.0, 0.0, 0.0); ///< eigenvalues of C, ascending
 
   double HeightOf(const Vec3& p) const { return this->Normal.dot(p - this->Centre); }

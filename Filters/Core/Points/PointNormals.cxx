@@ -3,8 +3,8 @@
 
 #include "PointNormals.h"
 
-#include "NormalFilter.h"
-#include "PlaneFit.h"
+#include "InterruptedExecution.h"
+#include "RowPlanes.h"
 
 #include <cmath>
 
@@ -38,13 +38,7 @@ bool SharpenNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest, do
 {
   constexpr int rounds = 3;
   constexpr double eighth = 3.14159265358979323846 / 8.0;
-  NormalFilterSettings settings;
-  settings.Norm = GaussianNorm{ eighth / std::sqrt(2.0) };
-  settings.Argument = NormalArgument::Angle;
-  settings.Weighting = SiteWeight::Uniform;
-  settings.IncludeOwn = true;
-  settings.Unoriented = true;
-  NormalFilter filter(nearest, settings);
+  NormalFilter filter(nearest, WeightsBySimilarNormals(eighth));
   const Buffer<double> ones(points.size(), 1.0);
   filter.SetGeometry({ points, ones, 0.0 }, execution);
 
@@ -52,25 +46,20 @@ bool SharpenNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest, do
   Buffer<Vec3> sharpened(points.size());
   for (int round = 0; round < rounds; ++round)
   {
-    if (!execution.Proceed(first + (last - first) * round / rounds))
+    const double share = (last - first) / rounds;
+    InterruptedExecution interrupted(execution, first + share * round, first + share * (round + 1));
+    filter.VisitWeights({ normals, normals, normals, normals }, interrupted,
+      [&](std::size_t i, const double* weights)
+      {
+        static thread_local WeightedPatch patch;
+        patch.Take(points, i, nearest.Row(i), weights);
+        const Vec3 normal = FitRobustPlane(patch.Points, patch.Weights, fit).Normal;
+        sharpened[i] = normal.isZero(0.0) ? normals[i] : normal;
+      });
+    if (!interrupted.Proceed(last))
     {
       return false;
     }
-    filter.VisitWeights({ normals, normals, normals, normals }, execution,
-      [&](std::size_t i, const double* weights)
-      {
-        static thread_local std::vector<Vec3> around;
-        static thread_local std::vector<double> weightOf;
-        const Span<Index> row = nearest.Row(i);
-        around.assign(1, Vec3(0.0, 0.0, 0.0));
-        for (const Index j : row)
-        {
-          around.push_back(points[j] - points[i]);
-        }
-        weightOf.assign(weights, weights + around.size());
-        const Vec3 normal = FitRobustPlane(around, weightOf, fit).Normal;
-        sharpened[i] = normal.isZero(0.0) ? normals[i] : normal;
-      });
     normals.swap(sharpened);
   }
   return true;

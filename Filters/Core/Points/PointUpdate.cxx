@@ -127,4 +127,32 @@ void MoveTo(const Buffer<Vec3>& places, PointSet& points, Execution& execution)
     });
 }
 
+void MoveBy(Buffer<Vec3>& displacements, PointSet& points, Execution& execution)
+{
+  execution.For(points.Size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        displacements[i] += points.Positions[i];
+      }
+    });
+  MoveTo(displacements, points, execution);
+}
+
+void TurnTo(const Buffer<Vec3>& normals, PointSet& points, Execution& execution)
+{
+  execution.For(points.Size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (points.Status[i] != PointStatus::Kept)
+        {
+          points.Normals[i] = normals[i];
+        }
+      }
+    });
+}
+
 }

@@ -66,6 +66,12 @@ Vec3 SolveTruncated(const Mat3& a, const Vec3& b, double cut);
  */
 void MoveTo(const Buffer<Vec3>& places, PointSet& points, Execution& execution);
 
+/// The same with displacements, which become the places.
+void MoveBy(Buffer<Vec3>& displacements, PointSet& points, Execution& execution);
+
+/// Gives these normals to the points that are not marked as kept.
+void TurnTo(const Buffer<Vec3>& normals, PointSet& points, Execution& execution);
+
 }
 
 #endif

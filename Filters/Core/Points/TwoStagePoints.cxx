@@ -4,7 +4,7 @@
 #include "TwoStagePoints.h"
 
 #include "NormalMedian.h"
-#include "PlaneFit.h"
+#include "RowPlanes.h"
 
 #include <cmath>
 
@@ -53,30 +53,6 @@ Buffer<double> NeighborDifferences(const PointSet& points, NormalArgument argume
 double ScaleUnit(const PointSet& points, NormalArgument argument)
 {
   return IsCurvature(argument) ? 1.0 / points.Spacing : IsLength(argument) ? points.Spacing : 1.0;
-}
-
-/// One step of plane fits to the weighted points around; returns how many points kept their normal.
-void FitPlanes(const NormalFilter& filter, const NormalFilter::Fields& fields,
-  const Buffer<Vec3>& positions, Buffer<Vec3>& fitted, Execution& execution)
-{
-  const NeighborGraph& graph = filter.Neighbors();
-  fitted.resize(graph.NumberOfRows());
-  filter.VisitWeights(fields, execution,
-    [&](std::size_t i, const double* weights)
-    {
-      PlaneSum sum;
-      if (filter.IncludesOwn())
-      {
-        sum.Add(Vec3(0.0, 0.0, 0.0), *weights++);
-      }
-      for (const Index j : graph.Row(i))
-      {
-        sum.Add(positions[j] - positions[i], *weights++);
-      }
-      const Vec3 normal = sum.Fit().Normal;
-      const Vec3& before = fields.Current[i];
-      fitted[i] = normal.isZero(0.0) ? before : normal.dot(before) < 0.0 ? Vec3(-normal) : normal;
-    });
 }
 
 class TwoStagePoints : public PointOperator
@@ -256,15 +232,7 @@ private:
         return false;
       }
       ComputeDisplacements(*filter, fields, points.Positions, update, places, execution);
-      execution.For(points.Size(),
-        [&](std::size_t begin, std::size_t end)
-        {
-          for (std::size_t i = begin; i < end; ++i)
-          {
-            places[i] += points.Positions[i];
-          }
-        });
-      MoveTo(places, points, execution);
+      MoveBy(places, points, execution);
     }
     return true;
   }

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PointAdapter.h"
+
+#include "ArrayDispatch.h"
+#include "SurfaceAdapter.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+bool ReadNormals(vtkDataArray* array, vtkPolyData* data, Buffer<Vec3>& normals, std::string& error,
+  Execution& execution)
+{
+  if (array->GetNumberOfComponents() != 3 ||
+    array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    error = std::string("Array ") + (array->GetName() ? array->GetName() : "(no name)") +
+      " is no field of point normals: it has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples of " + std::to_string(array->GetNumberOfComponents()) + " components for " +
+      std::to_string(data->GetNumberOfPoints()) + " points.";
+    return false;
+  }
+  normals.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  OnArray(array, CopyVectors{}, normals, execution);
+  for (Vec3& n : normals)
+  {
+    const double length = n.stableNorm();
+    if (length > 0.0 && std::isfinite(length))
+    {
+      n /= length;
+    }
+    else
+    {
+      n.setZero();
+    }
+  }
+  return true;
+}
+
+/// A byte per point.
+template <typename Value>
+void AddBytes(const char* name, const Buffer<Value>& values, vtkPolyData* output)
+{
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), static_cast<unsigned char>(values[i]));
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+}
+
+bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::string& error,
+  Execution& execution)
+{
+  view = PointView();
+  const vtkIdType count = data->GetNumberOfPoints();
+  if (count >= static_cast<vtkIdType>(NoIndex))
+  {
+    error = "The input has " + std::to_string(count) + " points; at most " +
+      std::to_string(NoIndex - 1) + " can be handled.";
+    return false;
+  }
+  if (count == 0)
+  {
+    return true;
+  }
+  Buffer<Vec3>& positions = view.Cloud.Positions;
+  positions.resize(static_cast<std::size_t>(count));
+  OnArray(data->GetPoints()->GetData(), CopyVectors{}, positions, execution);
+  if (normals && !ReadNormals(normals, data, view.Cloud.Normals, error, execution))
+  {
+    return false;
+  }
+
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : positions)
+  {
+    if (p.allFinite())
+    {
+      box.extend(p);
+    }
+  }
+  if (box.isEmpty())
+  {
+    return true;
+  }
+  if (!((box.max() - box.min()).maxCoeff() <= 1e100))
+  {
+    error = "The input is too large: its squared extent is beyond double precision.";
+    return false;
+  }
+  view.Centre = 0.5 * box.min() + 0.5 * box.max();
+  for (Vec3& p : positions)
+  {
+    p -= view.Centre;
+  }
+  return true;
+}
+
+Buffer<Vec3> NormalsOfFaces(vtkPolyData* data, Execution& execution)
+{
+  MeshView view;
+  std::string error;
+  if (data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0 ||
+    !ReadSurface(data, view, error, execution) || view.Mesh.NumberOfFaces() == 0)
+  {
+    return {};
+  }
+  Buffer<Vec3> normals(view.Mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
+  for (std::size_t f = 0; f < view.Mesh.NumberOfFaces(); ++f)
+  {
+    for (const Index v : view.Mesh.Triangles[f])
+    {
+      normals[v] += view.Mesh.DoubleAreaVector(f);
+    }
+  }
+  for (Vec3& n : normals)
+  {
+    const double length = n.stableNorm();
+    n = length > 0.0 ? Vec3(n / length) : Vec3(0.0, 0.0, 0.0);
+  }
+  return normals;
+}
+
+void PassPoints(vtkPolyData* input, const PointView& view, vtkPolyData* output,
+  Execution& execution)
+{
+  const PointCloud& cloud = view.Cloud;
+  const auto moved = MovedPoints(input, view.Centre, cloud.Positions, execution);
+  PassSurface(input, moved, output);
+  const std::size_t count = cloud.Positions.size();
+
+  vtkNew<vtkDoubleArray> normals;
+  vtkNew<vtkDoubleArray> displacements;
+  normals->SetName("Normals");
+  displacements->SetName("Displacement");
+  for (vtkDoubleArray* array : { normals.Get(), displacements.Get() })
+  {
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  }
+  double* normal = normals->GetPointer(0);
+  double* displacement = displacements->GetPointer(0);
+  vtkPoints* before = input->GetPoints();
+  vtkPoints* after = moved;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::copy_n(cloud.Normals[i].data(), 3, normal + 3 * i);
+    Vec3 p;
+    Vec3 q;
+    before->GetPoint(static_cast<vtkIdType>(i), p.data());
+    after->GetPoint(static_cast<vtkIdType>(i), q.data());
+    const Vec3 d = p.allFinite() ? Vec3(q - p) : Vec3(0.0, 0.0, 0.0);
+    std::copy_n(d.data(), 3, displacement + 3 * i);
+  }
+  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->AddArray(displacements);
+  AddBytes("Status", cloud.Status, output);
+  if (!cloud.Classes.empty())
+  {
+    AddBytes("FeatureClass", cloud.Classes, output);
+  }
+}
+
+}

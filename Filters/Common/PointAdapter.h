@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file PointAdapter.h
+ * @brief The points of a vtkPolyData in, a point cloud out, and back.
+ */
+
+#ifndef SurfaceDenoising_PointAdapter_h
+#define SurfaceDenoising_PointAdapter_h
+
+#include "Points/PointDenoising.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace SurfaceDenoising
+{
+
+struct PointView
+{
+  PointCloud Cloud;                  ///< positions are relative to Centre
+  Vec3 Centre = Vec3(0.0, 0.0, 0.0); ///< the middle of the bounding box of the finite points
+};
+
+/**
+ * Reads all points, whether cells use them or not, and the normals of an array (or of none if it is
+ * null), which become unit vectors; zero and infinite ones become zero, which is no normal. Fails
+ * with a message if there are more than 4294967294 points, if the array has not three components
+ * and a tuple per point, or if the extent is beyond double precision.
+ */
+bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::string& error,
+  Execution& execution);
+
+/// Normals of the points from the polygons and strips around them, means weighted by area; zero for
+/// points without polygons. Empty if there are no polygons or if they cannot be read.
+Buffer<Vec3> NormalsOfFaces(vtkPolyData* data, Execution& execution);
+
+/**
+ * Passes everything of the input on with new points, the active point array "Normals", and the
+ * arrays "Displacement" (how far each point moved), "Status" (see vtkPointDenoisingFilter) and, if
+ * the cloud has classes, "FeatureClass".
+ */
+void PassPoints(vtkPolyData* input, const PointView& view, vtkPolyData* output,
+  Execution& execution);
+
+}
+
+#endif

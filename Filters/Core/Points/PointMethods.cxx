@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PointMethods.h"
+
+#include <cmath>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// The Gaussian exp(-x^2 / s^2) of some papers is exp(-x^2 / (2 sigma^2)) with this sigma.
+double SigmaOf(double s) { return s / std::sqrt(2.0); }
+
+PointDenoisingSettings Nearest(int count, int outerIterations)
+{
+  PointDenoisingSettings s;
+  s.Neighborhood.Count = count;
+  s.OuterIterations = outerIterations;
+  return s;
+}
+
+PointDenoisingSettings Ball(double radius, int outerIterations)
+{
+  PointDenoisingSettings s;
+  s.Neighborhood.Kind = PointNeighborhood::Radius;
+  s.Neighborhood.Radius = radius;
+  s.OuterIterations = outerIterations;
+  return s;
+}
+
+PointDenoisingSettings RobustImplicitMLS()
+{
+  PointDenoisingSettings s;
+  s.Operator = RobustImplicitMLSSettings();
+  return s;
+}
+
+PointDenoisingSettings MovingRobustPCA()
+{
+  PointDenoisingSettings s = Nearest(30, 5);
+  s.Operator = MovingRobustPCASettings();
+  return s;
+}
+
+PointDenoisingSettings FeatureAwarePoint()
+{
+  PointDenoisingSettings s = Nearest(20, 3);
+  s.Operator = LikelihoodPointsSettings();
+  return s;
+}
+
+PointDenoisingSettings GuidedPointNormal()
+{
+  PointDenoisingSettings s = Nearest(30, 1);
+  s.MaximumDisplacement = 2.0;
+  s.Operator = NormalBundlesSettings();
+  return s;
+}
+
+PointDenoisingSettings TensorPoint()
+{
+  PointDenoisingSettings s = Ball(4.0, 3);
+  s.Neighborhood.MaximumCount = 40;
+  s.Operator = TensorRegionsSettings();
+  return s;
+}
+
+/// The radius holds about 30 points of a surface.
+PointDenoisingSettings BilateralPoint()
+{
+  PointDenoisingSettings s = Ball(3.0, 1);
+  TwoStageSettings t;
+  t.Operator = PointNormalOperator::PlaneFit;
+  t.Normals.Norm = NormId::L2;
+  t.Normals.SpatialScale = 1.0;
+  t.NormalIterations = 1;
+  t.Points.Argument = NormalArgument::Height;
+  t.Points.NormScale = 1.0;
+  t.Points.SpatialScale = 1.0;
+  t.Update.Scheme = PointScheme::OwnHeight;
+  t.PointIterations = 1;
+  s.Operator = t;
+  return s;
+}
+
+PointDenoisingSettings RollingPointNormal()
+{
+  PointDenoisingSettings s = Nearest(30, 1);
+  TwoStageSettings t;
+  t.Guidance = PointGuidance::Rolling;
+  t.Data = PointNormalData::Original;
+  t.Normals.NormScale = t.Points.NormScale = SigmaOf(0.35);
+  t.Normals.SpatialScale = t.Points.SpatialScale = SigmaOf(1.55); // half the distance of the 30th
+  t.Points.IncludeOwn = false;
+  t.NormalIterations = 4;
+  s.Operator = t;
+  return s;
+}
+
+PointDenoisingSettings VotingTensorPoint()
+{
+  PointDenoisingSettings s = Ball(7.4, 50); // five times the mean distance of the 12 nearest
+  s.RenewNeighborhood = false;
+  s.MaximumDisplacement = 3.0;
+  s.Operator = VotingTensorPointsSettings();
+  return s;
+}
+
+PointDenoisingSettings MovingLeastSquares()
+{
+  PointDenoisingSettings s = Nearest(30, 1);
+  s.Operator = MovingLeastSquaresSettings();
+  return s;
+}
+
+}
+
+const std::vector<PointMethodRow>& PointMethods()
+{
+  static const std::vector<PointMethodRow> rows = {
+    { PointMethod::RobustImplicitMLS, "Robust Implicit MLS", "Oztireli, Guennebaud, Gross 2009",
+      "RobustImplicitMLSFilter", false, RobustImplicitMLS() },
+    { PointMethod::MovingRobustPCA, "Moving Robust PCA", "Mattei, Castrodad 2017",
+      "MovingRobustPCAFilter", false, MovingRobustPCA() },
+    { PointMethod::FeatureAwarePoint, "Feature Aware Point", "Li 2009", "FeatureAwarePointFilter",
+      false, FeatureAwarePoint() },
+    { PointMethod::GuidedPointNormal, "Guided Point Normal", "Zheng, Li, Wu, Liu, Gao 2017",
+      "GuidedPointNormalFilter", false, GuidedPointNormal() },
+    { PointMethod::TensorPoint, "Tensor Point", "Park, Lee, Jang, Lee, Lee 2013",
+      "TensorPointFilter", false, TensorPoint() },
+    { PointMethod::BilateralPoint, "Bilateral Point", "Digne, de Franchis 2017",
+      "BilateralPointFilter", true, BilateralPoint() },
+    { PointMethod::RollingPointNormal, "Rolling Point Normal", "Zheng, Li, Xu, Wu, Nie 2018",
+      "RollingPointNormalFilter", true, RollingPointNormal() },
+    { PointMethod::VotingTensorPoint, "Voting Tensor Point",
+      "Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier 2018", "VotingTensorPointFilter", false,
+      VotingTensorPoint() },
+    { PointMethod::MovingLeastSquares, "Moving Least Squares",
+      "Alexa, Behr, Cohen-Or, Fleishman, Levin, Silva 2003", "MovingLeastSquaresFilter", false,
+      MovingLeastSquares() },
+  };
+  return rows;
+}
+
+const PointDenoisingSettings& ComposedPoints()
+{
+  static const PointDenoisingSettings settings = []
+  {
+    PointDenoisingSettings s = Nearest(16, 1);
+    TwoStageSettings t;
+    t.Normals.NormScale = t.Points.NormScale = 0.2;
+    t.Points.IncludeOwn = false;
+    t.NormalIterations = 3;
+    s.Operator = t;
+    return s;
+  }();
+  return settings;
+}
+
+}

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkPointDenoisingFilter.h"
+
+#include "DenoisingReport.h"
+#include "PointAdapter.h"
+#include "Points/PointMethods.h"
+#include "SMPExecution.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace sd = SurfaceDenoising;
+
+static_assert(static_cast<int>(sd::NormalSource::RobustFit) ==
+    static_cast<int>(vtkPointDenoisingFilter::ROBUST_FIT),
+  "The normal sources of the filter are those of the core.");
+static_assert(static_cast<int>(sd::NormalOrientation::SpanningTree) ==
+    static_cast<int>(vtkPointDenoisingFilter::SPANNING_TREE),
+  "The normal orientations of the filter are those of the core.");
+static_assert(static_cast<int>(sd::PointStatus::NotFinite) ==
+    static_cast<int>(vtkPointDenoisingFilter::NOT_FINITE),
+  "The status of points is that of the core.");
+static_assert(static_cast<int>(sd::FeatureClass::Corner) ==
+    static_cast<int>(vtkPointDenoisingFilter::CORNER),
+  "The feature classes are those of the core.");
+
+vtkPointDenoisingFilter::vtkPointDenoisingFilter(const sd::PointDenoisingSettings& defaults)
+  : Standard(defaults)
+{
+  this->vtkPointDenoisingFilter::TakeSettings(defaults);
+}
+
+vtkPointDenoisingFilter::vtkPointDenoisingFilter(sd::PointMethod method)
+  : vtkPointDenoisingFilter(sd::SettingsOf(method))
+{
+}
+
+vtkPointDenoisingFilter::~vtkPointDenoisingFilter() = default;
+
+double vtkPointDenoisingFilter::Rounded(double value) { return std::round(value * 1e9) / 1e9; }
+
+void vtkPointDenoisingFilter::TakeSettings(const sd::PointDenoisingSettings& settings)
+{
+  this->NumberOfNormalNeighbors = settings.Normals.NumberOfNeighbors;
+  this->NumberOfOuterIterations = settings.OuterIterations;
+  this->MaximumDisplacement = settings.MaximumDisplacement;
+}
+
+void vtkPointDenoisingFilter::Configure(sd::PointDenoisingSettings& settings)
+{
+  settings = this->Defaults();
+  settings.Normals.Source = static_cast<sd::NormalSource>(this->NormalSource);
+  settings.Normals.Orientation = static_cast<sd::NormalOrientation>(this->NormalOrientation);
+  settings.Normals.NumberOfNeighbors = this->NumberOfNormalNeighbors;
+  settings.OuterIterations = this->NumberOfOuterIterations;
+  settings.MaximumDisplacement = this->MaximumDisplacement;
+}
+
+int vtkPointDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->TakeReport(sd::PointDenoisingReport());
+  if (input->GetNumberOfPoints() == 0)
+  {
+    output->ShallowCopy(input);
+    return 1;
+  }
+  bool good = false;
+  sd::RunOnThreads(this->NumberOfThreads, [&] { good = this->Process(inputVector, output); });
+  return good ? 1 : 0;
+}
+
+/// The array of normals, or null. Returns false after an error.
+bool vtkPointDenoisingFilter::FindNormals(vtkInformationVector** inputVector,
+  vtkDataArray*& normals)
+{
+  vtkPointData* pointData = vtkPolyData::GetData(inputVector[0])->GetPointData();
+  vtkInformation* chosen = this->GetInputArrayInformation(0);
+  const std::string name =
+    chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : "";
+  // "None" is how ParaView says that nothing was chosen.
+  if (!name.empty() && name != "None")
+  {
+    normals = this->GetInputArrayToProcess(0, inputVector);
+    if (!normals)
+    {
+      vtkErrorMacro(<< "The input has no point array " << name << " with the normals.");
+      return false;
+    }
+    return true;
+  }
+  normals = pointData->GetNormals();
+  if (!normals)
+  {
+    vtkDataArray* candidate = pointData->GetArray("Normals");
+    normals = candidate && candidate->GetNumberOfComponents() == 3 ? candidate : nullptr;
+  }
+  return true;
+}
+
+bool vtkPointDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPolyData* output)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  sd::SMPExecution execution(this);
+  vtkDataArray* normals = nullptr;
+  sd::PointView view;
+  std::string error;
+  if (!this->FindNormals(inputVector, normals))
+  {
+    return false;
+  }
+  if (!sd::ReadPoints(input, normals, view, error, execution))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  sd::PointDenoisingSettings settings;
+  this->Configure(settings);
+  if (!normals)
+  {
+    view.Cloud.Normals = sd::NormalsOfFaces(input, execution);
+    if (settings.Normals.Source == sd::NormalSource::Given && view.Cloud.Normals.empty())
+    {
+      vtkErrorMacro(<< "The input has no point normals, and no polygons to take them from.");
+      return false;
+    }
+    if (settings.Normals.Source == sd::NormalSource::Automatic)
+    {
+      // Those of noisy polygons are noisy: they tell the side alone.
+      settings.Normals.Source = sd::NormalSource::RobustFit;
+    }
+  }
+
+  sd::PointDenoisingReport report;
+  const bool finished = this->Denoise(view, settings, report, execution);
+  this->TakeReport(report);
+  if (!finished)
+  {
+    // Nobody wants half a result.
+    output->ShallowCopy(input);
+    return true;
+  }
+  if (report.NoNoiseFound)
+  {
+    vtkWarningMacro(<< "The normals have no noise to take a scale from; the points stay. Set the "
+                       "scale to filter them all the same.");
+  }
+  sd::PassPoints(input, view, output, execution);
+  sd::DenoisingReport figures;
+  figures.Add("Mean Spacing", report.Spacing);
+  figures.Add("Kept Points", report.Kept);
+  figures.Add("Points Not Finite", report.NotFinite);
+  figures.Add("Fitted Normals", report.EstimatedNormals);
+  figures.Add("Parts", report.Parts);
+  figures.Add("Range Scale", report.NormScale);
+  figures.Add("Seconds Of Setup", report.SetupSeconds);
+  figures.Add("Seconds Of Filtering", report.FilterSeconds);
+  figures.WriteTo(output);
+  return true;
+}
+
+bool vtkPointDenoisingFilter::Denoise(sd::PointView& view,
+  const sd::PointDenoisingSettings& settings, sd::PointDenoisingReport& report,
+  sd::Execution& execution)
+{
+  return sd::DenoisePoints(view.Cloud, settings, report, execution);
+}
+
+void vtkPointDenoisingFilter::TakeReport(const sd::PointDenoisingReport& report)
+{
+  this->MeanSpacing = report.Spacing;
+  this->NumberOfKeptPoints = static_cast<vtkIdType>(report.Kept);
+  this->NumberOfPointsNotFinite = static_cast<vtkIdType>(report.NotFinite);
+  this->NumberOfFittedNormals = static_cast<vtkIdType>(report.EstimatedNormals);
+  this->NumberOfParts = static_cast<vtkIdType>(report.Parts);
+}
+
+void vtkPointDenoisingFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NormalSource: " << this->NormalSource << "\n";
+  os << indent << "NormalOrientation: " << this->NormalOrientation << "\n";
+  os << indent << "NumberOfNormalNeighbors: " << this->NumberOfNormalNeighbors << "\n";
+  os << indent << "NumberOfOuterIterations: " << this->NumberOfOuterIterations << "\n";
+  os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "MeanSpacing: " << this->MeanSpacing << "\n";
+  os << indent << "NumberOfKeptPoints: " << this->NumberOfKeptPoints << "\n";
+  os << indent << "NumberOfPointsNotFinite: " << this->NumberOfPointsNotFinite << "\n";
+  os << indent << "NumberOfFittedNormals: " << this->NumberOfFittedNormals << "\n";
+  os << indent << "NumberOfParts: " << this->NumberOfParts << "\n";
+}

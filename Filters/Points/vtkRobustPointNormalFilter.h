@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   vtkRobustPointNormalFilter
+ * @brief   any combination of norm, argument, kernel, guidance and update on point sets
+ *
+ * The composer for point sets. Normals are filtered with the weights w_ij = f(|p_i - p_j|) g(x_ij)
+ * of a spatial Gaussian f and an error norm with the weight function g, applied to an argument
+ * x_ij,
+ *
+ *   AVERAGE        n_i <- normalise( sum_j w_ij n_j )
+ *   DIFFUSION      n_i <- normalise( n_i + t / F_i sum_j w_ij (n_j - n_i) ),  F_i = sum_j f_ij
+ *   VOTING_TENSOR  n_i <- normalise( 3 n_i + sum_k b_k (e_k . n_i) e_k ), eigenvectors e_k and
+ * binary eigenvalues b_k of sum_j w_ij n_j n_j^T PLANE_FIT      n_i <- the normal of the plane
+ * through the weighted points,
+ *
+ * with or without guidance, and then the points move to fit, see vtkPointFittingFilter. The
+ * defaults are a Gaussian of the chord, normals of robust plane fits and gradient steps: better
+ * than most published methods on smooth and sharp objects.
+ *
+ * S. K. Yadav, M. Skrodzki, E. Zimmermann, K. Polthier, "Surface Denoising based on Normal
+ * Filtering in a Robust Statistics Framework".
+ */
+
+#ifndef vtkRobustPointNormalFilter_h
+#define vtkRobustPointNormalFilter_h
+
+#include "vtkPointFittingFilter.h"
+
+class VTKSURFACEDENOISINGPOINTS_EXPORT vtkRobustPointNormalFilter : public vtkPointFittingFilter
+{
+public:
+  static vtkRobustPointNormalFilter* New();
+  vtkTypeMacro(vtkRobustPointNormalFilter, vtkPointFittingFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What the norm looks at.
+  enum Guidances
+  {
+    NO_GUIDANCE = 0,   ///< the normals of the point and its neighbour
+    PATCH = 1,         ///< the mean normals of their most consistent patches
+    VECTOR_MEDIAN = 2, ///< the median around the point, and the normal of the neighbour
+    ROLLING = 3        ///< the filtered normals of the iteration before; starts from a plain mean
+  };
+
+  /// Which normals are averaged.
+  enum DataSources
+  {
+    PREVIOUS = 0, ///< those of the iteration before
+    ORIGINAL = 1  ///< those at the start: the M-estimate itself
+  };
+
+  /// What is made of the weights.
+  enum Operators
+  {
+    AVERAGE = 0,
+    DIFFUSION = 1,
+    VOTING_TENSOR = 2,
+    PLANE_FIT = 3
+  };
+
+  /// Published methods that are compositions.
+  enum Presets
+  {
+    CUSTOM = 0, ///< the settings of the filter
+    BILATERAL_POINT = 1,
+    ROLLING_POINT_NORMAL = 2
+  };
+
+  ///@{
+  /**
+   * A published method in place of all settings but those of the normals at the start and of
+   * threads, with the numbers of its paper. Default CUSTOM.
+   */
+  vtkSetClampMacro(Preset, int, CUSTOM, ROLLING_POINT_NORMAL);
+  vtkGetMacro(Preset, int);
+  ///@}
+
+  /// The number of presets, CUSTOM among them, and their names in the order of Presets; null for
+  /// another number.
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int preset);
+
+  /**
+   * Gives all settings that a preset would take the place of its values, and makes Preset CUSTOM: a
+   * published method to vary. Other numbers do nothing.
+   */
+  void CopyPreset(int preset);
+
+  ///@{
+  /// The error norm, one of Norms. Default GAUSSIAN.
+  vtkSetClampMacro(Norm, int, L2, CENTIN);
+  vtkGetMacro(Norm, int);
+  void SetNormToL2() { this->SetNorm(L2); }
+  void SetNormToTruncatedL2() { this->SetNorm(TRUNCATED_L2); }
+  void SetNormToL1() { this->SetNorm(L1); }
+  void SetNormToTruncatedL1() { this->SetNorm(TRUNCATED_L1); }
+  void SetNormToHuber() { this->SetNorm(HUBER); }
+  void SetNormToLorentzian() { this->SetNorm(LORENTZIAN); }
+  void SetNormToGaussian() { this->SetNorm(GAUSSIAN); }
+  void SetNormToTukey() { this->SetNorm(TUKEY); }
+  void SetNormToBox() { this->SetNorm(BOX); }
+  void SetNormToCentin() { this->SetNorm(CENTIN); }
+  ///@}
+
+  ///@{
+  /// What the norm is applied to, one of Arguments. Default CHORD.
+  vtkSetClampMacro(Argument, int, CHORD, BENT_ARC);
+  vtkGetMacro(Argument, int);
+  void SetArgumentToChord() { this->SetArgument(CHORD); }
+  void SetArgumentToAngle() { this->SetArgument(ANGLE); }
+  void SetArgumentToDirectionalCurvature() { this->SetArgument(DIRECTIONAL_CURVATURE); }
+  void SetArgumentToNormalGradient() { this->SetArgument(NORMAL_GRADIENT); }
+  void SetArgumentToHeight() { this->SetArgument(HEIGHT); }
+  void SetArgumentToBentArc() { this->SetArgument(BENT_ARC); }
+  ///@}
+
+  ///@{
+  /**
+   * The scale of the norm in units of its argument. Default 0.2. 0: from the data, such that
+   * differences of neighbours above their robust standard deviation (median absolute deviation)
+   * count as outliers; data without any noise pass through with a warning.
+   */
+  vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RangeScale, double);
+  ///@}
+
+  ///@{
+  /// Sigma of the spatial Gaussian in spacings; 0: none. Default 1.5.
+  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SpatialScale, double);
+  ///@}
+
+  ///@{
+  /// How often normals are filtered, per outer iteration. Default 3; 1 for smooth objects, 10
+  /// for sharp ones.
+  vtkSetClampMacro(NumberOfNormalIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfNormalIterations, int);
+  ///@}
+
+  ///@{
+  /// What the norm looks at, one of Guidances. Default NO_GUIDANCE.
+  vtkSetClampMacro(Guidance, int, NO_GUIDANCE, ROLLING);
+  vtkGetMacro(Guidance, int);
+  void SetGuidanceToNoGuidance() { this->SetGuidance(NO_GUIDANCE); }
+  void SetGuidanceToPatch() { this->SetGuidance(PATCH); }
+  void SetGuidanceToVectorMedian() { this->SetGuidance(VECTOR_MEDIAN); }
+  void SetGuidanceToRolling() { this->SetGuidance(ROLLING); }
+  ///@}
+
+  ///@{
+  /// Which normals are averaged, one of DataSources. Default PREVIOUS. ROLLING takes those at
+  /// the start, always.
+  vtkSetClampMacro(DataSource, int, PREVIOUS, ORIGINAL);
+  vtkGetMacro(DataSource, int);
+  void SetDataSourceToPrevious() { this->SetDataSource(PREVIOUS); }
+  void SetDataSourceToOriginal() { this->SetDataSource(ORIGINAL); }
+  ///@}
+
+  ///@{
+  /// What is made of the weights, one of Operators. Default AVERAGE.
+  vtkSetClampMacro(Operator, int, AVERAGE, PLANE_FIT);
+  vtkGetMacro(Operator, int);
+  void SetOperatorToAverage() { this->SetOperator(AVERAGE); }
+  void SetOperatorToDiffusion() { this->SetOperator(DIFFUSION); }
+  void SetOperatorToVotingTensor() { this->SetOperator(VOTING_TENSOR); }
+  void SetOperatorToPlaneFit() { this->SetOperator(PLANE_FIT); }
+  ///@}
+
+  ///@{
+  /// t of DIFFUSION, in [0, 1]. Default 0.5.
+  vtkSetClampMacro(StepLength, double, 0.0, 1.0);
+  vtkGetMacro(StepLength, double);
+  ///@}
+
+  ///@{
+  /// Count the point itself among its neighbours. Default on.
+  vtkSetMacro(IncludeOwn, bool);
+  vtkGetMacro(IncludeOwn, bool);
+  vtkBooleanMacro(IncludeOwn, bool);
+  ///@}
+
+protected:
+  vtkRobustPointNormalFilter();
+  ~vtkRobustPointNormalFilter() override;
+
+  void Configure(SurfaceDenoising::PointDenoisingSettings& settings) override;
+  void TakeSettings(const SurfaceDenoising::PointDenoisingSettings& settings) override;
+
+  int Preset = CUSTOM;
+  int Norm;
+  int Argument;
+  double RangeScale;
+  double SpatialScale;
+  int NumberOfNormalIterations;
+  int Guidance;
+  int DataSource;
+  int Operator;
+  double StepLength;
+  bool IncludeOwn;
+
+private:
+  vtkRobustPointNormalFilter(const vtkRobustPointNormalFilter&) = delete;
+  void operator=(const vtkRobustPointNormalFilter&) = delete;
+};
+
+#endif
