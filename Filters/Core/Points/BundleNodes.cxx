@@ -98,7 +98,8 @@ private:
         {
           const Vec3& n = this->Normals[k];
           const bool turned = settings.Clusters.Unoriented && n.dot(centre) < 0.0;
-          const double w = std::exp((nearest - this->Ways[k].squaredNorm()) / (sigma * sigma));
+          const double w =
+            sigma > 0.0 ? std::exp((nearest - this->Ways[k].squaredNorm()) / (sigma * sigma)) : 1.0;
           normal += (turned ? -w : w) * n;
           middle += w * this->Ways[k];
           weight += w;

@@ -35,7 +35,7 @@ struct BundleNodes
 struct BundleSettings
 {
   NormalClusterSettings Clusters;
-  double SpatialScale = 1.5; ///< sigma of exp(-(d / sigma)^2), in spacings
+  double SpatialScale = 1.5; ///< sigma of exp(-(d / sigma)^2), in spacings; 0: no such factor
   double Reach = 0.75;       ///< largest distance of a point from its planes, spacings; 0: any
   std::size_t FewestFlat = 4;
 };

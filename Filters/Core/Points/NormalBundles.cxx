@@ -6,8 +6,6 @@
 #include "BundleNodes.h"
 #include "FeatureCandidates.h"
 #include "InterruptedExecution.h"
-#include "KdTree.h"
-#include "MedialSkeleton.h"
 #include "PointPatches.h"
 #include "PointUpdate.h"
 
@@ -33,7 +31,7 @@ public:
     this->TakeOwnNormals(points);
     auto at = [&](double share) { return first + (last - first) * share; };
     Buffer<unsigned char> features;
-    if (!this->FindFeatures(points, features, execution, first, at(0.1)))
+    if (!FindFeatures(points, this->FeatureSettings(), features, execution, first, at(0.1)))
     {
       return false;
     }
@@ -52,7 +50,8 @@ public:
         return false;
       }
     }
-    this->GatherNodes(points, nodes, execution);
+    this->Areas.assign(nodes.Size(), 1.0);
+    this->PlaceNodes(points, nodes, execution);
     if (!this->FilterNormals(points, nodes, execution, at(0.2), at(0.7)) ||
       !this->MovePoints(points, nodes, execution, at(0.7), last))
     {
@@ -63,68 +62,25 @@ public:
   }
 
 private:
-  bool FindFeatures(const PointSet& points, Buffer<unsigned char>& features, Execution& execution,
-    double first, double last)
+  FeatureCandidateSettings FeatureSettings() const
   {
-    const NormalBundlesSettings& settings = this->Settings;
-    const Buffer<double> scores = SimilarityScores(points.Neighbors, points.Positions,
-      points.Normals, settings.CandidateScale, execution);
-    features.resize(points.Size());
-    Buffer<Vec3> candidates;
-    for (std::size_t i = 0; i < points.Size(); ++i)
-    {
-      features[i] = scores[i] < settings.CandidateThreshold;
-      if (features[i] && settings.UseSkeleton)
-      {
-        candidates.push_back(points.Positions[i]);
-      }
-    }
-    if (candidates.empty())
-    {
-      return execution.Proceed(last);
-    }
-    MedialSkeletonSettings medial;
-    medial.Radius = settings.SkeletonRadius * points.Spacing;
-    Buffer<Vec3> skeleton;
-    if (!FindMedialSkeleton(candidates, medial, skeleton, execution, first, last))
-    {
-      return false;
-    }
-    const KdTree tree(skeleton);
-    execution.For(points.Size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        std::vector<Index> nearest;
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          if (features[i])
-          {
-            tree.Within(points.Positions[i], 0.5 * medial.Radius, nearest, 1);
-            features[i] = !nearest.empty();
-          }
-        }
-      });
-    return execution.Proceed(last);
+    FeatureCandidateSettings settings;
+    settings.Scale = this->Settings.CandidateScale;
+    settings.Threshold = this->Settings.CandidateThreshold;
+    settings.SkeletonRadius = this->Settings.UseSkeleton ? this->Settings.SkeletonRadius : 0.0;
+    return settings;
   }
 
-  /// What the filter needs to know of nodes.
-  void GatherNodes(const PointSet& points, const BundleNodes& nodes, Execution& execution)
+  /// Nodes are where their points are.
+  void PlaceNodes(const PointSet& points, const BundleNodes& nodes, Execution& execution)
   {
-    const std::size_t size = nodes.Size();
-    this->Areas.assign(size, 1.0);
-    this->Positions.resize(size);
-    this->Widths.resize(points.LocalScale ? size : 0);
-    execution.For(size,
+    this->Positions.resize(nodes.Size());
+    execution.For(nodes.Size(),
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t k = begin; k < end; ++k)
         {
-          const Index i = nodes.Points[k];
-          this->Positions[k] = points.Positions[i];
-          if (points.LocalScale)
-          {
-            this->Widths[k] = this->Settings.SpatialScale / std::sqrt(2.0) * points.SpacingAt(i);
-          }
+          this->Positions[k] = points.Positions[nodes.Points[k]];
         }
       });
   }
@@ -133,16 +89,26 @@ private:
   std::unique_ptr<NormalFilter> MakeFilter(const PointSet& points, const BundleNodes& nodes,
     bool includeOwn, Execution& execution)
   {
+    const double width = this->Settings.SpatialScale / std::sqrt(2.0);
     NormalFilterSettings settings;
     settings.Norm = GaussianNorm{ this->Settings.RangeScale / std::sqrt(2.0) };
     settings.Argument = NormalArgument::Chord;
-    settings.SpatialSigma = this->Settings.SpatialScale / std::sqrt(2.0) * points.Spacing;
+    settings.SpatialSigma = width * points.Spacing;
     settings.Weighting = SiteWeight::Area;
     settings.IncludeOwn = includeOwn;
     settings.Unoriented = this->Settings.Unoriented;
     auto filter = std::make_unique<NormalFilter>(nodes.Graph, settings);
     SiteGeometry geometry{ this->Positions, this->Areas, 1e-12 * points.Spacing };
-    geometry.SpatialSigmas = points.LocalScale ? &this->Widths : nullptr;
+    Buffer<double> widths;
+    if (points.LocalScale)
+    {
+      widths.resize(nodes.Size());
+      for (std::size_t k = 0; k < nodes.Size(); ++k)
+      {
+        widths[k] = width * points.SpacingAt(nodes.Points[k]);
+      }
+      geometry.SpatialSigmas = &widths;
+    }
     filter->SetGeometry(geometry, execution);
     return filter;
   }
@@ -165,8 +131,7 @@ private:
     for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
     {
       const double begin = first + (last - first) * iteration / settings.NormalIterations;
-      const double end = first + (last - first) * (iteration + 1) / settings.NormalIterations;
-      InterruptedExecution interrupted(execution, begin, end);
+      InterruptedExecution interrupted(execution, begin);
       ComputePointPatches(nodes.Graph, nodes.Normals, patches, guide, interrupted);
       if (!interrupted.Proceed(begin))
       {
@@ -198,39 +163,29 @@ private:
     update.Scheme = PointScheme::Gradient;
     update.Unoriented = settings.Unoriented;
     const NormalFilter::Fields fields{ nodes.Normals, nodes.Normals, nodes.Normals, nodes.Normals };
-    Buffer<Vec3> displacements;
-    Buffer<Vec3> places(points.Size());
+    Buffer<Vec3> ofNodes;
+    Buffer<Vec3> ofPoints(points.Size());
     for (int iteration = 0; iteration < settings.PointIterations; ++iteration)
     {
       if (!execution.Proceed(first + (last - first) * iteration / settings.PointIterations))
       {
         return false;
       }
-      ComputeDisplacements(*filter, fields, this->Positions, update, displacements, execution);
+      ComputeDisplacements(*filter, fields, this->Positions, update, ofNodes, execution);
       execution.For(points.Size(),
         [&](std::size_t begin, std::size_t end)
         {
           for (std::size_t i = begin; i < end; ++i)
           {
-            places[i] = points.Positions[i];
+            ofPoints[i].setZero();
             for (Index k = nodes.First[i]; k < nodes.First[i + 1]; ++k)
             {
-              places[i] += displacements[k];
+              ofPoints[i] += ofNodes[k];
             }
           }
         });
-      MoveTo(places, points, execution);
-      execution.For(points.Size(),
-        [&](std::size_t begin, std::size_t end)
-        {
-          for (std::size_t i = begin; i < end; ++i)
-          {
-            for (Index k = nodes.First[i]; k < nodes.First[i + 1]; ++k)
-            {
-              this->Positions[k] = points.Positions[i];
-            }
-          }
-        });
+      MoveBy(ofPoints, points, execution);
+      this->PlaceNodes(points, nodes, execution);
     }
     return true;
   }
@@ -296,7 +251,6 @@ private:
   NormalBundlesSettings Settings;
   Buffer<double> Areas;
   Buffer<Vec3> Positions; ///< of nodes
-  Buffer<double> Widths;  ///< of the spatial kernel, if scales are local
   std::vector<OwnNormal> OwnNormals;
 };
 

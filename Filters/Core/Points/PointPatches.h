@@ -21,6 +21,8 @@
 
 #include "NeighborGraph.h"
 
+#include <limits>
+
 namespace SurfaceDenoising
 {
 
@@ -34,6 +36,15 @@ struct PointPatchSettings
   /// one face and half of the other is more consistent by H than a few of the other alone.
   double MemberAgreement = -2.0;
 };
+
+struct PointPatch
+{
+  double Inconsistency = std::numeric_limits<double>::infinity(); ///< H
+  Vec3 Mean = Vec3(0.0, 0.0, 0.0);                                ///< unit length; zero: no mean
+};
+
+/// The patch of these unit normals.
+PointPatch JudgePatch(const std::vector<Vec3>& members);
 
 /// Guidance normals of all sites. Of equally consistent patches the one that comes first counts,
 /// that of the site itself before those of its neighbours.
