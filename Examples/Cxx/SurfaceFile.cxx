@@ -18,6 +18,7 @@
 #include "vtkSTLWriter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
+#include "vtkXYZReader.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -36,7 +37,7 @@ std::string Extension(const std::string& path)
 }
 
 template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path, std::string& message)
+vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path, std::string& message, Needs needs)
 {
   vtkNew<Reader> reader;
   vtkNew<MessageKeeper> keeper;
@@ -49,7 +50,8 @@ vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path, std::string& mess
   {
     message = keeper->Warning.empty() ? "it has no points" : keeper->Warning;
   }
-  if (message.empty() && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+  if (message.empty() && needs == Needs::Polygons &&
+    surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
   {
     message = "it has " + std::to_string(surface->GetNumberOfPoints()) + " points but no polygons";
   }
@@ -138,7 +140,8 @@ void MessageKeeper::Execute(vtkObject* caller, unsigned long event, void* data)
   }
 }
 
-vtkSmartPointer<vtkPolyData> ReadSurfaceFile(const std::string& path, std::string& message)
+vtkSmartPointer<vtkPolyData> ReadSurfaceFile(const std::string& path, std::string& message,
+  Needs needs)
 {
   if (!std::filesystem::exists(path))
   {
@@ -163,30 +166,36 @@ vtkSmartPointer<vtkPolyData> ReadSurfaceFile(const std::string& path, std::strin
   const std::string extension = Extension(path);
   if (extension == ".ply")
   {
-    return ReadWith<vtkPLYReader>(path, message);
+    return ReadWith<vtkPLYReader>(path, message, needs);
   }
   if (extension == ".obj")
   {
-    return ReadWith<vtkOBJReader>(path, message);
+    return ReadWith<vtkOBJReader>(path, message, needs);
   }
   if (extension == ".stl")
   {
-    return ReadWith<vtkSTLReader>(path, message);
+    return ReadWith<vtkSTLReader>(path, message, needs);
   }
   if (extension == ".off")
   {
-    return ReadWith<vtkOFFReader>(path, message);
+    return ReadWith<vtkOFFReader>(path, message, needs);
   }
   if (extension == ".vtp")
   {
-    return ReadWith<vtkXMLPolyDataReader>(path, message);
+    return ReadWith<vtkXMLPolyDataReader>(path, message, needs);
   }
   if (extension == ".vtk")
   {
-    return ReadWith<vtkPolyDataReader>(path, message);
+    return ReadWith<vtkPolyDataReader>(path, message, needs);
+  }
+  if (extension == ".xyz" || extension == ".xyzn" || extension == ".pts" || extension == ".asc")
+  {
+    return ReadWith<vtkXYZReader>(path, message, needs);
   }
   message =
-    "files can be read as .ply, .obj, .stl, .off, .vtp or .vtk, not as \"" + extension + "\"";
+    "files can be read as .ply, .obj, .stl, .off, .vtp or .vtk, points also as .xyz, .xyzn, "
+    ".pts or .asc, not as \"" +
+    extension + "\"";
   return nullptr;
 }
 

@@ -25,8 +25,16 @@ public:
   std::string Warning; ///< the first one, in one line
 };
 
+/// What a file must hold.
+enum class Needs
+{
+  Polygons,
+  Points ///< polygons or not
+};
+
 /// Reads a surface by its extension. Returns null with a message that says what is wrong.
-vtkSmartPointer<vtkPolyData> ReadSurfaceFile(const std::string& path, std::string& message);
+vtkSmartPointer<vtkPolyData> ReadSurfaceFile(const std::string& path, std::string& message,
+  Needs needs = Needs::Polygons);
 
 /// Writes a surface by its extension. Returns false with a message that says what is wrong.
 bool WriteSurfaceFile(const std::string& path, vtkPolyData* surface, std::string& message);

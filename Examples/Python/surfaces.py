@@ -8,7 +8,10 @@ import sys
 import time
 
 from paraview.servermanager import Fetch
-from paraview.simple import OpenDataFile, SurfaceNoise
+from paraview.simple import ConvertToPointCloud, OpenDataFile, SurfaceNoise, XYZPointsReader
+
+# Texts with one point per line; ParaView has other readers for some of these names.
+POINT_TEXTS = (".xyz", ".xyzn", ".pts", ".asc")
 
 
 def program():
@@ -33,20 +36,33 @@ def add_output_options(parser):
     parser.add_argument("-o", "--output", default="out", metavar="FOLDER")
 
 
-def open_surface(name):
-    """A reader for the file, if it holds polygons."""
+def open_file(name):
+    if os.path.splitext(name)[1].lower() in POINT_TEXTS:
+        return XYZPointsReader(FileNames=[name])
+    return OpenDataFile(name)
+
+
+def open_surface(name, polygons=True):
+    """A reader for the file, if it holds polygons. Without them, if they are not asked for, points
+    with a vertex each, which some readers do not make."""
     if not os.path.isfile(name):
         fail("there is no file {}".format(name))
     try:
-        reader = OpenDataFile(name)
+        reader = open_file(name)
         reader.UpdatePipeline()
     except (AttributeError, RuntimeError):
         fail("{} cannot be read as a surface".format(name))
     data = Fetch(reader)
     if not (data and data.IsA("vtkPolyData")):
         fail("{} holds no surface".format(name))
-    if data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0:
+    if data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0:
+        return reader
+    if polygons:
         fail("{} holds no polygons".format(name))
+    if data.GetNumberOfPoints() == 0:
+        fail("{} holds no points".format(name))
+    if data.GetNumberOfVerts() == 0:
+        reader = ConvertToPointCloud(Input=reader, CellGenerationMode="Vertex cells")
     return reader
 
 

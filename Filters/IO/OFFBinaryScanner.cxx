@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OFFBinaryScanner.h"
 
+#include "FileContent.h"
+
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 
+using namespace SurfaceDenoising;
+
 //------------------------------------------------------------------------------
 void OFFBinaryScanner::Fail(const std::string& what) const
 {
-  throw OFFError("byte " + std::to_string(this->Position) + ": " + what);
+  throw FileError("byte " + std::to_string(this->Position) + ": " + what);
 }
 
 //------------------------------------------------------------------------------
@@ -19,7 +23,7 @@ T OFFBinaryScanner::ReadBigEndian(const char* what)
   static_assert(sizeof(T) == 4, "OFF stores 32-bit numbers");
   if (this->RemainingBytes() < sizeof(T))
   {
-    throw OFFError("byte " + std::to_string(this->Position) + ": the file ends where " + what +
+    throw FileError("byte " + std::to_string(this->Position) + ": the file ends where " + what +
         " should stand",
       vtkErrorCode::PrematureEndOfFileError);
   }

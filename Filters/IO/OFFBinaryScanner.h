@@ -4,7 +4,6 @@
 #define OFFBinaryScanner_h
 
 #include "OFFColors.h"
-#include "OFFKeyword.h"
 
 #include "vtkType.h"
 

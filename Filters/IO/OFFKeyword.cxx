@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OFFKeyword.h"
 
+#include "FileContent.h"
+
 #include <algorithm>
 #include <cstring>
+
+using namespace SurfaceDenoising;
 
 namespace
 {
@@ -28,9 +32,7 @@ std::size_t SkipSpace(std::string_view text, std::size_t position)
 OFFKeyword ReadOFFKeyword(std::string_view text)
 {
   OFFKeyword keyword;
-  const std::string_view byteOrderMark = "\xEF\xBB\xBF";
-  std::size_t position =
-    SkipSpace(text, StartsWith(text, byteOrderMark) ? byteOrderMark.size() : 0);
+  std::size_t position = SkipSpace(text, ByteOrderMarkLength(text));
 
   const auto accept = [&](std::string_view word)
   {
@@ -61,19 +63,19 @@ OFFKeyword ReadOFFKeyword(std::string_view text)
     }
     else
     {
-      throw OFFError("this is not an OFF file: the keyword OFF is missing",
+      throw FileError("this is not an OFF file: the keyword OFF is missing",
         vtkErrorCode::UnrecognizedFileTypeError);
     }
   }
   // Digits may follow at once: "OFF490 518 0" is a widespread slip.
   if (position < text.size() && !std::strchr(" \t\r\n\v\f#0123456789", text[position]))
   {
-    throw OFFError("this is not an OFF file: the keyword OFF does not stand alone",
+    throw FileError("this is not an OFF file: the keyword OFF does not stand alone",
       vtkErrorCode::UnrecognizedFileTypeError);
   }
   if (moreDimensions)
   {
-    throw OFFError("OFF files with more than three dimensions (4OFF, nOFF) cannot be read");
+    throw FileError("OFF files with more than three dimensions (4OFF, nOFF) cannot be read");
   }
 
   const std::size_t next = std::min(text.find_first_not_of(" \t", position), text.size());

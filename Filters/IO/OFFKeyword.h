@@ -3,23 +3,8 @@
 #ifndef OFFKeyword_h
 #define OFFKeyword_h
 
-#include "vtkErrorCode.h"
-
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <string_view>
-
-/// Says where and what is wrong with a file; Code is one of vtkErrorCode.
-struct OFFError : std::runtime_error
-{
-  OFFError(const std::string& what, unsigned long code = vtkErrorCode::FileFormatError)
-    : std::runtime_error(what)
-    , Code(code)
-  {
-  }
-  unsigned long Code;
-};
 
 /// Which values follow the three coordinates of a vertex, and how the file is written.
 struct OFFKeyword
@@ -31,8 +16,8 @@ struct OFFKeyword
   std::size_t Length = 0; ///< where the text behind the keyword begins
 };
 
-/// Read the keyword at the beginning of a file; throws if this is no OFF file or not a readable
-/// one.
+/// Read the keyword at the beginning of a file; throws a FileError if this is no OFF file or not a
+/// readable one.
 OFFKeyword ReadOFFKeyword(std::string_view text);
 
 #endif

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OFFTextScanner.h"
 
+#include "FileContent.h"
+#include "TextNumbers.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <locale>
-#include <sstream>
+
+using namespace SurfaceDenoising;
 
 namespace
 {
@@ -37,35 +39,6 @@ std::size_t SkipSpace(std::string_view text, std::size_t position, std::size_t& 
   }
   return position;
 }
-
-/// Numbers must not depend on the locale of the program, as those of strtod do.
-bool ToReal(std::string_view token, double& value)
-{
-  if (token.size() > 1 && token[0] == '+' && token[1] != '-')
-  {
-    token.remove_prefix(1); // valid, but unknown to from_chars
-  }
-#ifdef __cpp_lib_to_chars
-  const char* const end = token.data() + token.size();
-  const std::from_chars_result result = std::from_chars(token.data(), end, value);
-  if (result.ec == std::errc::result_out_of_range)
-  {
-    value = 0.0; // fine for a number too small for a double, not for one too large
-    return result.ptr == end && token.find_first_of("eE") == token.find('-', 1) - 1;
-  }
-  return result.ec == std::errc() && result.ptr == end;
-#else
-  std::istringstream stream{ std::string(token) };
-  stream.imbue(std::locale::classic());
-  return (stream >> value) && stream.eof();
-#endif
-}
-
-std::string Quote(std::string_view token)
-{
-  const std::size_t longest = 32; // a binary file opened as text may have no spaces at all
-  return "'" + std::string(token.substr(0, longest)) + (token.size() > longest ? "...'" : "'");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -79,13 +52,13 @@ OFFTextScanner::OFFTextScanner(std::string_view text, std::size_t offset)
 //------------------------------------------------------------------------------
 void OFFTextScanner::Fail(const std::string& what) const
 {
-  throw OFFError("line " + std::to_string(this->Line) + ": " + what);
+  throw FileError("line " + std::to_string(this->Line) + ": " + what);
 }
 
 //------------------------------------------------------------------------------
 void OFFTextScanner::FailAtEnd(const char* what) const
 {
-  throw OFFError("line " + std::to_string(this->Line) + ": the file ends where " + what +
+  throw FileError("line " + std::to_string(this->Line) + ": the file ends where " + what +
       " should stand",
     vtkErrorCode::PrematureEndOfFileError);
 }
@@ -122,9 +95,7 @@ vtkIdType OFFTextScanner::ReadInteger(const char* what)
     this->FailAtEnd(what);
   }
   vtkIdType value = 0;
-  const char* const end = token.data() + token.size();
-  const std::from_chars_result result = std::from_chars(token.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end)
+  if (!ToInteger(token, value))
   {
     this->Fail(Quote(token) + " stands where " + what + ", a whole number, should");
   }

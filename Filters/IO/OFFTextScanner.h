@@ -4,7 +4,6 @@
 #define OFFTextScanner_h
 
 #include "OFFColors.h"
-#include "OFFKeyword.h"
 
 #include "vtkType.h"
 
@@ -14,7 +13,7 @@
 
 /**
  * Reads the numbers of an ASCII OFF file one after the other. Each call names what it expects; it
- * returns that or throws an OFFError. OFFBinaryScanner has the same calls.
+ * returns that or throws a FileError. OFFBinaryScanner has the same calls.
  */
 class OFFTextScanner
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOFFReader.h"
 
+#include "FileContent.h"
 #include "OFFBinaryScanner.h"
 #include "OFFColors.h"
 #include "OFFKeyword.h"
@@ -19,37 +20,15 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <vtksys/FStream.hxx>
-#include <vtksys/SystemTools.hxx>
-
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
+using namespace SurfaceDenoising;
+
 namespace
 {
-/// The first \p most bytes of a file, or all of it; throws if it cannot be opened or read.
-std::string LoadFile(const char* name, std::size_t most = std::string::npos)
-{
-  vtksys::ifstream file(name, std::ios::in | std::ios::binary);
-  if (!file || vtksys::SystemTools::FileIsDirectory(name))
-  {
-    const bool exists = vtksys::SystemTools::FileExists(name);
-    throw OFFError("the file cannot be opened",
-      exists ? vtkErrorCode::CannotOpenFileError : vtkErrorCode::FileNotFoundError);
-  }
-  file.seekg(0, std::ios::end);
-  const std::streamoff size = file.tellg(); // -1 for what has no size, such as a pipe
-  std::string bytes(size < 0 ? 0 : std::min(most, static_cast<std::size_t>(size)), '\0');
-  file.seekg(0, std::ios::beg);
-  if (size < 0 || !file.read(&bytes[0], static_cast<std::streamsize>(bytes.size())))
-  {
-    throw OFFError("the file cannot be read", vtkErrorCode::CannotOpenFileError);
-  }
-  return bytes;
-}
-
 struct Counts
 {
   vtkIdType Vertices;
@@ -208,7 +187,7 @@ int vtkOFFReader::CanReadFile(const char* filename)
     ReadOFFKeyword(LoadFile(filename ? filename : "", 4096));
     return 1;
   }
-  catch (const OFFError&)
+  catch (const FileError&)
   {
     return 0;
   }
@@ -242,7 +221,7 @@ int vtkOFFReader::RequestData(vtkInformation*, vtkInformationVector**,
     vtkPolyData::GetData(outputVector)->ShallowCopy(surface);
     return 1;
   }
-  catch (const OFFError& error)
+  catch (const FileError& error)
   {
     vtkErrorMacro(<< this->FileName << ": " << error.what());
     this->SetErrorCode(error.Code);

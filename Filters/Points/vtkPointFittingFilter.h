@@ -69,7 +69,7 @@ public:
   };
 
   ///@{
-  /// Number of steps that move the points, per outer iteration. Default 10; 0 leaves the points
+  /// Number of steps that move the points, per outer iteration. Default 5; 0 leaves the points
   /// alone.
   vtkSetClampMacro(NumberOfPointIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfPointIterations, int);

@@ -133,7 +133,7 @@ public:
   ///@}
 
   ///@{
-  /// How often normals are filtered, per outer iteration. Default 3; 1 for smooth objects, 10
+  /// How often normals are filtered, per outer iteration. Default 2; 1 for smooth objects, 10
   /// for sharp ones.
   vtkSetClampMacro(NumberOfNormalIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfNormalIterations, int);

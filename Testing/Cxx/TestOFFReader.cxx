@@ -3,69 +3,30 @@
 // vtkOFFReader reads every spelling of the format that it promises to read; a broken file raises an
 // error that says where and leaves the output empty.
 
+#include "ReaderTester.h"
+
 #include "vtkOFFReader.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkTestErrorObserver.h"
 
 #include <clocale>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace
 {
-const unsigned long AnyCode = ~0ul;
-const char* const FileName = "TestOFFReader.off";
-int Failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << "\n";
-    ++Failures;
-  }
-}
-
-void Write(const std::string& content) { std::ofstream(FileName, std::ios::binary) << content; }
-
-vtkSmartPointer<vtkPolyData> Read(const std::string& content)
-{
-  Write(content);
-  vtkNew<vtkOFFReader> reader;
-  reader->SetFileName(FileName);
-  reader->Update();
-  Expect(reader->GetErrorCode() == vtkErrorCode::NoError, "no error for\n" + content);
-  return reader->GetOutput();
-}
-
-/// Whether the tuple of an array, or the lack of the array, is as expected.
-void ExpectTuple(vtkDataArray* array, vtkIdType tuple, const std::vector<double>& values,
-  const std::string& what)
-{
-  bool equal = array && array->GetNumberOfComponents() == static_cast<int>(values.size()) &&
-    tuple < array->GetNumberOfTuples();
-  for (std::size_t i = 0; equal && i < values.size(); ++i)
-  {
-    equal = array->GetComponent(tuple, static_cast<int>(i)) == values[i];
-  }
-  Expect(equal, what);
-}
+ReaderTester<vtkOFFReader> Tester("TestOFFReader.off");
 
 //------------------------------------------------------------------------------
 void TestSpellings()
@@ -85,59 +46,71 @@ void TestSpellings()
   };
   for (const std::string& spelling : spellings)
   {
-    const auto pyramid = Read(spelling);
-    Expect(pyramid->GetNumberOfPoints() == 5 && pyramid->GetNumberOfPolys() == 5 &&
+    const auto pyramid = Tester.Read(spelling);
+    Tester.Expect(pyramid->GetNumberOfPoints() == 5 && pyramid->GetNumberOfPolys() == 5 &&
         pyramid->GetPolys()->GetNumberOfConnectivityIds() == 16,
       "counts of\n" + spelling);
     if (pyramid->GetNumberOfPoints() == 5)
     {
-      ExpectTuple(pyramid->GetPoints()->GetData(), 4, { 0.5, 0.5, 1.0 }, "apex of\n" + spelling);
+      Tester.ExpectTuple(pyramid->GetPoints()->GetData(), 4, { 0.5, 0.5, 1.0 },
+        "apex of\n" + spelling);
     }
   }
-  Expect(Read(spellings[0])->GetPoints()->GetDataType() == VTK_DOUBLE, "double points");
+  Tester.Expect(Tester.Read(spellings[0])->GetPoints()->GetDataType() == VTK_DOUBLE,
+    "double points");
 
-  const auto mixed = Read("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n2 0 1 8\n1 2 9\n");
-  Expect(mixed->GetNumberOfVerts() == 1 && mixed->GetNumberOfLines() == 1 &&
+  const auto mixed = Tester.Read("OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n2 0 1 8\n1 2 9\n");
+  Tester.Expect(mixed->GetNumberOfVerts() == 1 && mixed->GetNumberOfLines() == 1 &&
       mixed->GetNumberOfPolys() == 1,
     "faces of one and two corners");
-  ExpectTuple(mixed->GetCellData()->GetScalars(), 0, { 9 }, "color index of the vertex cell");
-  ExpectTuple(mixed->GetCellData()->GetScalars(), 2, { 7 }, "color index of the triangle");
+  Tester.ExpectTuple(mixed->GetCellData()->GetScalars(), 0, { 9 },
+    "color index of the vertex cell");
+  Tester.ExpectTuple(mixed->GetCellData()->GetScalars(), 2, { 7 }, "color index of the triangle");
 
-  const auto cloud = Read("OFF\n2 0 0\n0 0 0\n1 2 3\n");
-  Expect(cloud->GetNumberOfPoints() == 2 && cloud->GetNumberOfVerts() == 2, "point cloud");
-  Expect(Read("OFF 0 0 0")->GetNumberOfPoints() == 0, "empty surface");
+  const auto cloud = Tester.Read("OFF\n2 0 0\n0 0 0\n1 2 3\n");
+  Tester.Expect(cloud->GetNumberOfPoints() == 2 && cloud->GetNumberOfVerts() == 2, "point cloud");
+  Tester.Expect(Tester.Read("OFF 0 0 0")->GetNumberOfPoints() == 0, "empty surface");
 }
 
 //------------------------------------------------------------------------------
 void TestAttributes()
 {
   const std::string face = "3 0 1 2";
-  const auto byteColors = Read("COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n" + face);
-  ExpectTuple(byteColors->GetPointData()->GetScalars(), 1, { 0, 255, 0 }, "three byte components");
+  const auto byteColors =
+    Tester.Read("COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n" + face);
+  Tester.ExpectTuple(byteColors->GetPointData()->GetScalars(), 1, { 0, 255, 0 },
+    "three byte components");
 
   const auto fractions =
-    Read("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 0.5 0 1\n0 1 0 0 0 1 .2\n" + face);
-  ExpectTuple(fractions->GetPointData()->GetScalars(), 2, { 0, 0, 255, 51 }, "four fractions");
+    Tester.Read("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 0 0.5 0 1\n0 1 0 0 0 1 .2\n" + face);
+  Tester.ExpectTuple(fractions->GetPointData()->GetScalars(), 2, { 0, 0, 255, 51 },
+    "four fractions");
 
-  const auto decimals = Read("COFF\n3 1 0\n0 0 0 255.0 0 0\n1 0 0 1.0 0 0\n0 1 0 0 0 9.0\n" + face);
-  ExpectTuple(decimals->GetPointData()->GetScalars(), 1, { 1, 0, 0 }, "bytes with decimal points");
+  const auto decimals =
+    Tester.Read("COFF\n3 1 0\n0 0 0 255.0 0 0\n1 0 0 1.0 0 0\n0 1 0 0 0 9.0\n" + face);
+  Tester.ExpectTuple(decimals->GetPointData()->GetScalars(), 1, { 1, 0, 0 },
+    "bytes with decimal points");
 
-  const auto normals = Read("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 1 0\n0 1 0 1 0 0\n" + face);
-  ExpectTuple(normals->GetPointData()->GetNormals(), 1, { 0, 1, 0 }, "normals");
+  const auto normals = Tester.Read("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 1 0\n0 1 0 1 0 0\n" + face);
+  Tester.ExpectTuple(normals->GetPointData()->GetNormals(), 1, { 0, 1, 0 }, "normals");
 
-  const auto all = Read("STCNOFF\n3 1 0\n0 0 0 0 0 1 9 8 7 6 .5 .25\n1 0 0 0 0 1 1 2 3 4 0 1\n"
-                        "0 1 0 0 0 1 5 5 5 5 1 1\n" +
-    face + " 0.2 0.4 0.6 # faces may have colors as well\n");
-  ExpectTuple(all->GetPointData()->GetNormals(), 2, { 0, 0, 1 }, "normals beside the others");
-  ExpectTuple(all->GetPointData()->GetScalars(), 0, { 9, 8, 7, 6 }, "colors beside the others");
-  ExpectTuple(all->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 }, "texture coordinates");
-  ExpectTuple(all->GetCellData()->GetScalars(), 0, { 51, 102, 153 }, "fractional face colors");
+  const auto all =
+    Tester.Read("STCNOFF\n3 1 0\n0 0 0 0 0 1 9 8 7 6 .5 .25\n1 0 0 0 0 1 1 2 3 4 0 1\n"
+                "0 1 0 0 0 1 5 5 5 5 1 1\n" +
+      face + " 0.2 0.4 0.6 # faces may have colors as well\n");
+  Tester.ExpectTuple(all->GetPointData()->GetNormals(), 2, { 0, 0, 1 },
+    "normals beside the others");
+  Tester.ExpectTuple(all->GetPointData()->GetScalars(), 0, { 9, 8, 7, 6 },
+    "colors beside the others");
+  Tester.ExpectTuple(all->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 }, "texture coordinates");
+  Tester.ExpectTuple(all->GetCellData()->GetScalars(), 0, { 51, 102, 153 },
+    "fractional face colors");
 
   const std::string header = "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n";
-  const auto uniform = Read(header + "3 0 1 2 10 20 30\n3 2 1 0 40 50 60\n");
-  ExpectTuple(uniform->GetCellData()->GetArray("Colors"), 1, { 40, 50, 60 }, "face colors");
-  const auto partly = Read(header + "3 0 1 2 10 20 30\n3 2 1 0\n");
-  Expect(!partly->GetCellData()->GetScalars(), "no array if a face has no color");
+  const auto uniform = Tester.Read(header + "3 0 1 2 10 20 30\n3 2 1 0 40 50 60\n");
+  Tester.ExpectTuple(uniform->GetCellData()->GetArray("Colors"), 1, { 40, 50, 60 }, "face colors");
+  const auto partly = Tester.Read(header + "3 0 1 2 10 20 30\n3 2 1 0\n");
+  Tester.Expect(!partly->GetCellData()->GetScalars(), "no array if a face has no color");
 }
 
 //------------------------------------------------------------------------------
@@ -172,7 +145,7 @@ void TestRoundTrip()
   for (const char* name : { "de_DE.UTF-8", "C" })
   {
     std::setlocale(LC_NUMERIC, name); // keeps the old one where German is not installed
-    const auto copy = Read(text.str());
+    const auto copy = Tester.Read(text.str());
     bool equal = copy->GetNumberOfPoints() == sphere->GetNumberOfPoints() &&
       copy->GetNumberOfPolys() == sphere->GetNumberOfPolys();
     for (vtkIdType i = 0; equal && i < sphere->GetNumberOfPoints(); ++i)
@@ -181,7 +154,7 @@ void TestRoundTrip()
       copy->GetPoint(i, x);
       equal = std::memcmp(x, sphere->GetPoint(i), sizeof(x)) == 0;
     }
-    Expect(equal, std::string("round trip in locale ") + name);
+    Tester.Expect(equal, std::string("round trip in locale ") + name);
   }
   std::setlocale(LC_NUMERIC, before.c_str());
 }
@@ -222,32 +195,14 @@ std::string BinaryTriangle()
 
 void TestBinary()
 {
-  const auto triangle = Read(BinaryTriangle());
-  Expect(triangle->GetNumberOfPoints() == 3 && triangle->GetNumberOfPolys() == 1, "binary counts");
-  ExpectTuple(triangle->GetPoints()->GetData(), 1, { 1.5, 0, 0 }, "binary point");
-  ExpectTuple(triangle->GetPointData()->GetScalars(), 2, { 0, 0, 255, 255 }, "binary color");
+  const auto triangle = Tester.Read(BinaryTriangle());
+  Tester.Expect(triangle->GetNumberOfPoints() == 3 && triangle->GetNumberOfPolys() == 1,
+    "binary counts");
+  Tester.ExpectTuple(triangle->GetPoints()->GetData(), 1, { 1.5, 0, 0 }, "binary point");
+  Tester.ExpectTuple(triangle->GetPointData()->GetScalars(), 2, { 0, 0, 255, 255 }, "binary color");
 }
 
 //------------------------------------------------------------------------------
-void ExpectError(const std::string& content, const std::string& message, unsigned long code)
-{
-  Write(content);
-  vtkNew<vtkOFFReader> reader;
-  vtkNew<vtkTest::ErrorObserver> observer;
-  vtkNew<vtkTest::ErrorObserver> silence; // the pipeline repeats that the reader failed
-  reader->AddObserver(vtkCommand::ErrorEvent, observer);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
-  reader->SetFileName(FileName);
-  reader->Update();
-  const std::string raised = observer->GetErrorMessage();
-  Expect(raised.find(message) != std::string::npos,
-    "error '" + message + "' for\n" + content + "\nbut it says: " + raised);
-  Expect(code == AnyCode ? reader->GetErrorCode() != vtkErrorCode::NoError
-                         : reader->GetErrorCode() == code,
-    "error code for\n" + content);
-  Expect(reader->GetOutput()->GetNumberOfPoints() == 0, "empty output for\n" + content);
-}
-
 void TestBrokenFiles()
 {
   const unsigned long type = vtkErrorCode::UnrecognizedFileTypeError;
@@ -255,72 +210,51 @@ void TestBrokenFiles()
   const unsigned long early = vtkErrorCode::PrematureEndOfFileError;
   const std::string points = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
 
-  ExpectError("", "not an OFF file", type);
-  ExpectError("ply\nformat ascii 1.0\n", "not an OFF file", type);
-  ExpectError("OFFSET 3\n", "not an OFF file", type);
-  ExpectError("4OFF\n1 0 0\n0 0 0 0\n", "more than three dimensions", format);
-  ExpectError("OFF\n", "line 2: the file ends where the number of vertices", early);
-  ExpectError("OFF\n3 x 0\n", "line 2: 'x' stands where the number of faces", format);
-  ExpectError("OFF\n-3 1 0\n", "announces -3 vertices", format);
-  ExpectError("OFF\n2000000000 4000000000 0\n0 0 0\n", "do not fit into the rest", format);
-  ExpectError("OFF\n9223372036854775807 1 0\n0 0 0\n", "do not fit into the rest", format);
-  ExpectError("OFF\n92233720368547758079 1 0\n0 0 0\n", "a whole number", format);
-  ExpectError("OFF\n1 0 0\n0 0 zero\n", "line 3: 'zero' stands where a coordinate", format);
-  ExpectError("OFF\n1 0 0\n0 0 1e999\n", "a finite number", format);
-  ExpectError("OFF\n1 0 0\n0 nan 0\n", "line 3: 'nan'", format);
-  ExpectError("OFF\n2 0 0\n0.25 0.25 0.25\n1 1\n", "line 5: the file ends where a coord", early);
-  ExpectError(points + "3 0 1 3\n", "line 6: face 0 refers to vertex 3", format);
-  ExpectError(points + "3 0 -1 2\n", "face 0 refers to vertex -1", format);
-  ExpectError(points + "3 0 1.5 2\n", "'1.5' stands where the index of a corner", format);
-  ExpectError(points + "0 0 1 2\n", "face 0 has 0 corners", format);
-  ExpectError(points + "30 0 1 2\n", "face 0 has 30 corners", format);
-  ExpectError(points + "3 0 1  \n", "the file ends where the index of a corner", early);
-  ExpectError(points + "3 0 1 2 red\n", "line 6: 'red' stands where a color component", format);
-  ExpectError("COFF\n1 0 0\n0 0 0 1 2\n", "line 3: the color of a vertex", format);
+  Tester.ExpectError("", "not an OFF file", type);
+  Tester.ExpectError("ply\nformat ascii 1.0\n", "not an OFF file", type);
+  Tester.ExpectError("OFFSET 3\n", "not an OFF file", type);
+  Tester.ExpectError("4OFF\n1 0 0\n0 0 0 0\n", "more than three dimensions", format);
+  Tester.ExpectError("OFF\n", "line 2: the file ends where the number of vertices", early);
+  Tester.ExpectError("OFF\n3 x 0\n", "line 2: 'x' stands where the number of faces", format);
+  Tester.ExpectError("OFF\n-3 1 0\n", "announces -3 vertices", format);
+  Tester.ExpectError("OFF\n2000000000 4000000000 0\n0 0 0\n", "do not fit into the rest", format);
+  Tester.ExpectError("OFF\n9223372036854775807 1 0\n0 0 0\n", "do not fit into the rest", format);
+  Tester.ExpectError("OFF\n92233720368547758079 1 0\n0 0 0\n", "a whole number", format);
+  Tester.ExpectError("OFF\n1 0 0\n0 0 zero\n", "line 3: 'zero' stands where a coordinate", format);
+  Tester.ExpectError("OFF\n1 0 0\n0 0 1e999\n", "a finite number", format);
+  Tester.ExpectError("OFF\n1 0 0\n0 nan 0\n", "line 3: 'nan'", format);
+  Tester.ExpectError("OFF\n2 0 0\n0.25 0.25 0.25\n1 1\n", "line 5: the file ends where a coord",
+    early);
+  Tester.ExpectError(points + "3 0 1 3\n", "line 6: face 0 refers to vertex 3", format);
+  Tester.ExpectError(points + "3 0 -1 2\n", "face 0 refers to vertex -1", format);
+  Tester.ExpectError(points + "3 0 1.5 2\n", "'1.5' stands where the index of a corner", format);
+  Tester.ExpectError(points + "0 0 1 2\n", "face 0 has 0 corners", format);
+  Tester.ExpectError(points + "30 0 1 2\n", "face 0 has 30 corners", format);
+  Tester.ExpectError(points + "3 0 1  \n", "the file ends where the index of a corner", early);
+  Tester.ExpectError(points + "3 0 1 2 red\n", "line 6: 'red' stands where a color component",
+    format);
+  Tester.ExpectError("COFF\n1 0 0\n0 0 0 1 2\n", "line 3: the color of a vertex", format);
 
   const std::string binary = BinaryTriangle();
   for (std::size_t size = 13; size < binary.size(); ++size)
   {
-    ExpectError(binary.substr(0, size), "byte ", AnyCode);
+    Tester.ExpectError(binary.substr(0, size), "byte ", Tester.AnyCode);
   }
   std::string wrongIndex = binary;
   wrongIndex[wrongIndex.size() - 5] = 9;
-  ExpectError(wrongIndex, "refers to vertex 9", format);
+  Tester.ExpectError(wrongIndex, "refers to vertex 9", format);
 }
 
 //------------------------------------------------------------------------------
 void TestFiles()
 {
-  vtkNew<vtkTest::ErrorObserver> observer;
-  vtkNew<vtkOFFReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, observer);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
-  reader->Update();
-  Expect(reader->GetErrorCode() == vtkErrorCode::NoFileNameError, "no file name");
-  reader->SetFileName("there-is-no-such-file.off");
-  reader->Update();
-  Expect(reader->GetErrorCode() == vtkErrorCode::FileNotFoundError, "missing file");
-  reader->SetFileName(".");
-  reader->Update();
-  Expect(reader->GetErrorCode() == vtkErrorCode::CannotOpenFileError, "a folder is no file");
-
-  Write("OFF\n1 0 0\n1 2 3\n");
-  reader->SetFileName(FileName);
-  reader->Update();
-  Expect(reader->GetErrorCode() == vtkErrorCode::NoError &&
-      reader->GetOutput()->GetNumberOfPoints() == 1,
-    "a reader recovers from an error");
-
-  Expect(vtkOFFReader::CanReadFile(FileName) == 1, "can read OFF");
-  Write("# comment\nSTCNOFF BINARY\n");
-  Expect(vtkOFFReader::CanReadFile(FileName) == 1, "can read STCNOFF BINARY");
+  Tester.TestFileNames("OFF\n1 0 0\n1 2 3\n");
+  Tester.ExpectCanRead(true, "OFF\n1 0 0\n1 2 3\n");
+  Tester.ExpectCanRead(true, "# comment\nSTCNOFF BINARY\n");
   for (const char* content : { "", "O", "solid off", "nOFF 3", "OFFICE" })
   {
-    Write(content);
-    Expect(vtkOFFReader::CanReadFile(FileName) == 0, std::string("cannot read ") + content);
+    Tester.ExpectCanRead(false, content);
   }
-  Expect(vtkOFFReader::CanReadFile("there-is-no-such-file.off") == 0, "cannot read what is not");
-  Expect(vtkOFFReader::CanReadFile(nullptr) == 0, "cannot read no name");
 }
 }
 
@@ -333,5 +267,5 @@ int TestOFFReader(int, char*[])
   TestBinary();
   TestBrokenFiles();
   TestFiles();
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Tester.Result();
 }

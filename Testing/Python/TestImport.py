@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 classes = [name for name in dir(surfacedenoising) if name.startswith("vtk") and
            isinstance(getattr(surfacedenoising, name), type)]
-assert "vtkOFFReader" in classes, classes
+assert "vtkOFFReader" in classes and "vtkXYZReader" in classes, classes
 for name in classes:
     cls = getattr(surfacedenoising, name)
     assert issubclass(cls, vtkAlgorithm) or name == "vtkDenoisingMethods", name

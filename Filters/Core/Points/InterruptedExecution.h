@@ -16,14 +16,15 @@ namespace SurfaceDenoising
 
 /**
  * Runs loops in pieces and asks in between whether to go on; after a no, nothing runs any more and
- * results are incomplete. Every loop reports progress from first to last.
+ * results are incomplete. Progress goes from first to last in every loop, but never back.
  */
 class InterruptedExecution : public Execution
 {
 public:
   InterruptedExecution(Execution& execution, double first, double last)
     : Whole(execution)
-    , First(first)
+    , Start(first)
+    , Reached(first)
     , Last(last)
   {
   }
@@ -45,7 +46,8 @@ public:
         [&](std::size_t b, std::size_t e) { body(begin + b, begin + e); }, grain);
       const double done =
         static_cast<double>(std::min(count, begin + piece)) / static_cast<double>(count);
-      this->Going = this->Whole.Proceed(this->First + (this->Last - this->First) * done);
+      this->Reached = std::max(this->Reached, this->Start + (this->Last - this->Start) * done);
+      this->Going = this->Whole.Proceed(this->Reached);
     }
   }
 
@@ -53,7 +55,8 @@ public:
 
 private:
   Execution& Whole;
-  double First;
+  double Start;
+  double Reached; ///< the most that was reported
   double Last;
   bool Going = true;
 };

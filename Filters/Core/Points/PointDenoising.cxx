@@ -81,7 +81,7 @@ public:
     points.LocalScale = this->Settings.LocalScale;
     points.Status.assign(points.Size(), PointStatus::Filtered);
     NeighborGraph nearest;
-    if (!this->FindNearest(nearest, execution, 0.0))
+    if (!this->FindNearest(nearest, execution, 0.02))
     {
       return false;
     }
@@ -344,7 +344,8 @@ bool DenoisePoints(PointCloud& cloud, const PointDenoisingSettings& settings,
   {
     points.Normals = Gather(cloud.Normals, order);
   }
-  if (!execution.Proceed(0.01) || !work.SetUp(execution) || !work.Run(execution))
+  if (!execution.Proceed(0.01) || !work.SetUp(execution) || !work.Run(execution) ||
+    !execution.Proceed(1.0))
   {
     return false;
   }
@@ -377,7 +378,7 @@ bool DenoisePoints(PointCloud& cloud, const PointDenoisingSettings& settings,
       cloud.Classes[i] = points.Classes[k];
     }
   }
-  return execution.Proceed(1.0);
+  return true;
 }
 
 }

@@ -153,7 +153,8 @@ const PointDenoisingSettings& ComposedPoints()
     TwoStageSettings t;
     t.Normals.NormScale = t.Points.NormScale = 0.2;
     t.Points.IncludeOwn = false;
-    t.NormalIterations = 3;
+    t.NormalIterations = 2;
+    t.PointIterations = 5;
     s.Operator = t;
     return s;
   }();
