@@ -16,7 +16,8 @@ namespace SurfaceDenoising
 
 /**
  * Runs loops in pieces and asks in between whether to go on; after a no, nothing runs any more and
- * results are incomplete. Every loop reports progress from first to last.
+ * results are incomplete. The first loop reports progress from first to last, others that
+ * follow stay there.
  */
 class InterruptedExecution : public Execution
 {
@@ -45,7 +46,8 @@ public:
         [&](std::size_t b, std::size_t e) { body(begin + b, begin + e); }, grain);
       const double done =
         static_cast<double>(std::min(count, begin + piece)) / static_cast<double>(count);
-      this->Going = this->Whole.Proceed(this->First + (this->Last - this->First) * done);
+      this->Share = std::max(this->Share, done);
+      this->Going = this->Whole.Proceed(this->First + (this->Last - this->First) * this->Share);
     }
   }
 
@@ -55,6 +57,7 @@ private:
   Execution& Whole;
   double First;
   double Last;
+  double Share = 0.0; ///< of the way from first to last
   bool Going = true;
 };
 

@@ -81,7 +81,7 @@ public:
     points.LocalScale = this->Settings.LocalScale;
     points.Status.assign(points.Size(), PointStatus::Filtered);
     NeighborGraph nearest;
-    if (!this->FindNearest(nearest, execution, 0.0))
+    if (!this->FindNearest(nearest, execution, 0.01))
     {
       return false;
     }
