@@ -11,7 +11,7 @@
 #define PlaneMethods_h
 
 #include "Points/PointDenoising.h"
-#include "RandomClouds.h"
+#include "NoisyClouds.h"
 #include "TextbookPlanePoints.h"
 
 #include <functional>
@@ -141,8 +141,8 @@ struct Shape
 
 inline std::vector<Shape> Shapes()
 {
-  std::vector<Shape> shapes = { { "Sphere", SpherePoints(500), 0.16 },
-    { "Cube", CubePoints(9), 2.0 / 9.0 }, { "Wedge", WedgePoints(20, 12), 1.0 } };
+  std::vector<Shape> shapes = { { "Sphere", SphereCloud(500).Positions, 0.16 },
+    { "Cube", CubeCloud(9).Positions, 2.0 / 9.0 }, { "Wedge", WedgeCloud(20, 12).Positions, 1.0 } };
   unsigned seed = 1;
   for (Shape& shape : shapes)
   {

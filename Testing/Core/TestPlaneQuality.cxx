@@ -5,7 +5,7 @@
 // the settings of the table of methods. Bounds are half as much again as the mean of twelve clouds.
 
 #include "Points/PointMethods.h"
-#include "RandomClouds.h"
+#include "NoisyClouds.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,8 @@ Buffer<Vec3> Denoise(Buffer<Vec3> positions, PointMethod method, NormalSource so
 
 Distances OnWedge(double noise, PointMethod method, NormalSource source)
 {
-  const Buffer<Vec3> clean = WedgePoints(40, 20);
+  const SurfaceCloud wedge = WedgeCloud(40, 20);
+  const Buffer<Vec3>& clean = wedge.Positions;
   Buffer<Vec3> positions = clean;
   AddNoise(positions, noise, 7);
   positions = Denoise(positions, method, source);
@@ -45,7 +46,7 @@ Distances OnWedge(double noise, PointMethod method, NormalSource source)
   double near = 0.0;
   for (std::size_t i = 0; i < clean.size(); ++i)
   {
-    const double d = DistanceToWedge(positions[i]);
+    const double d = wedge.DistanceOf(positions[i]);
     const bool atEdge = std::hypot(clean[i][0], clean[i][2]) <= 2.0;
     (atEdge ? sums.Near : sums.Far) += d * d;
     near += atEdge ? 1.0 : 0.0;
@@ -56,7 +57,7 @@ Distances OnWedge(double noise, PointMethod method, NormalSource source)
 
 double OnSphere(double noise, PointMethod method)
 {
-  Buffer<Vec3> positions = SpherePoints(2400);
+  Buffer<Vec3> positions = SphereCloud(2400).Positions;
   AddNoise(positions, noise * 0.0724, 7);
   double squares = 0.0;
   for (const Vec3& p : Denoise(positions, method, NormalSource::RobustFit))
