@@ -11,15 +11,30 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace SurfaceDenoising
 {
 
 namespace
 {
+
+/// The direction of a vector of any length; zero if it has none. (The bits of Eigen's stable norms
+/// depend on where in memory the vector is, and so on the order of points.)
+Vec3 UnitOrZero(const Vec3& v)
+{
+  const double largest = v.cwiseAbs().maxCoeff();
+  if (!v.allFinite() || !(largest > 0.0))
+  {
+    return Vec3(0.0, 0.0, 0.0);
+  }
+  const bool squaresAreNumbers = largest > 1e-100 && largest < 1e100;
+  const Vec3 n = squaresAreNumbers ? v : Vec3(v / largest);
+  return n / n.norm();
+}
 
 bool ReadNormals(vtkDataArray* array, vtkPolyData* data, Buffer<Vec3>& normals, std::string& error,
   Execution& execution)
@@ -37,17 +52,40 @@ bool ReadNormals(vtkDataArray* array, vtkPolyData* data, Buffer<Vec3>& normals, 
   OnArray(array, CopyVectors{}, normals, execution);
   for (Vec3& n : normals)
   {
-    const double length = n.stableNorm();
-    if (length > 0.0 && std::isfinite(length))
-    {
-      n /= length;
-    }
-    else
-    {
-      n.setZero();
-    }
+    n = UnitOrZero(n);
   }
   return true;
+}
+
+/// The data with one of the finite points in place of each that is not; the data themselves if all
+/// points are finite, or none.
+vtkSmartPointer<vtkPolyData> WithFinitePoints(vtkPolyData* data, Buffer<unsigned char>& isFinite,
+  Execution& execution)
+{
+  Buffer<Vec3> positions(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  OnArray(data->GetPoints()->GetData(), CopyVectors{}, positions, execution);
+  isFinite.resize(positions.size());
+  std::transform(positions.begin(), positions.end(), isFinite.begin(),
+    [](const Vec3& p) { return p.allFinite(); });
+  const auto place = std::find(isFinite.begin(), isFinite.end(), 1);
+  if (place == isFinite.end() || std::count(isFinite.begin(), isFinite.end(), 0) == 0)
+  {
+    return data;
+  }
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(data->GetPoints());
+  const vtkIdType somewhere = place - isFinite.begin();
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    if (!isFinite[i])
+    {
+      points->SetPoint(static_cast<vtkIdType>(i), points->GetPoint(somewhere));
+    }
+  }
+  auto finite = vtkSmartPointer<vtkPolyData>::New();
+  finite->ShallowCopy(data);
+  finite->SetPoints(points);
+  return finite;
 }
 
 /// A byte per point.
@@ -116,25 +154,33 @@ bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::
 
 Buffer<Vec3> NormalsOfFaces(vtkPolyData* data, Execution& execution)
 {
+  if (data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
+  {
+    return {};
+  }
   MeshView view;
   std::string error;
-  if (data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0 ||
-    !ReadSurface(data, view, error, execution) || view.Mesh.NumberOfFaces() == 0)
+  Buffer<unsigned char> isFinite;
+  if (!ReadSurface(WithFinitePoints(data, isFinite, execution), view, error, execution) ||
+    view.Mesh.NumberOfFaces() == 0)
   {
     return {};
   }
   Buffer<Vec3> normals(view.Mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
   for (std::size_t f = 0; f < view.Mesh.NumberOfFaces(); ++f)
   {
-    for (const Index v : view.Mesh.Triangles[f])
+    const auto& triangle = view.Mesh.Triangles[f];
+    if (std::all_of(triangle.begin(), triangle.end(), [&](Index v) { return isFinite[v] != 0; }))
     {
-      normals[v] += view.Mesh.DoubleAreaVector(f);
+      for (const Index v : triangle)
+      {
+        normals[v] += view.Mesh.DoubleAreaVector(f);
+      }
     }
   }
   for (Vec3& n : normals)
   {
-    const double length = n.stableNorm();
-    n = length > 0.0 ? Vec3(n / length) : Vec3(0.0, 0.0, 0.0);
+    n = UnitOrZero(n);
   }
   return normals;
 }

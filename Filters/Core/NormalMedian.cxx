@@ -17,7 +17,8 @@ namespace
 class Candidates
 {
 public:
-  void Gather(const NeighborGraph& graph, const Buffer<Vec3>& normals, std::size_t i)
+  void Gather(const NeighborGraph& graph, const Buffer<Vec3>& normals, std::size_t i,
+    bool unoriented = false)
   {
     this->X.clear();
     this->Y.clear();
@@ -25,7 +26,8 @@ public:
     this->Add(normals[i]);
     for (const Index j : graph.Row(i))
     {
-      this->Add(normals[j]);
+      const Vec3& n = normals[j];
+      this->Add(unoriented && n.dot(normals[i]) < 0.0 ? Vec3(-n) : n);
     }
   }
 
@@ -102,7 +104,7 @@ bool ShareEdge(const Triangle& s, const Triangle& t)
 }
 
 void DirectionalMedians(const NeighborGraph& graph, const Buffer<Vec3>& normals,
-  Buffer<Vec3>& medians, Execution& execution)
+  Buffer<Vec3>& medians, Execution& execution, bool unoriented)
 {
   medians.resize(normals.size());
   execution.For(normals.size(),
@@ -111,7 +113,7 @@ void DirectionalMedians(const NeighborGraph& graph, const Buffer<Vec3>& normals,
       Candidates candidates;
       for (std::size_t i = begin; i < end; ++i)
       {
-        candidates.Gather(graph, normals, i);
+        candidates.Gather(graph, normals, i, unoriented);
         medians[i] = candidates.DirectionalMedian();
       }
     });

@@ -25,10 +25,11 @@ enum class MedianKind : int
  * The vector directional median: of the normals of a site and its neighbours, the one with the
  * least sum of angles to all of them; on a tie the own one, then the first. (P. Trahanias, A.
  * Venetsanopoulos, "Vector directional filters", IEEE Trans. Image Processing 2(4), 1993.) Zero
- * vectors are left out; a site that sees nothing else gets zero.
+ * vectors are left out; a site that sees nothing else gets zero. Unoriented normals are turned to
+ * the side of the own one first.
  */
 void DirectionalMedians(const NeighborGraph& graph, const Buffer<Vec3>& normals,
-  Buffer<Vec3>& medians, Execution& execution);
+  Buffer<Vec3>& medians, Execution& execution, bool unoriented = false);
 
 /// How often neighbours count in an angular median; at least 0.
 struct MedianRepetitions

@@ -8,6 +8,7 @@
 #include "Points/PointMethods.h"
 #include "SMPExecution.h"
 
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPointData.h"
@@ -89,7 +90,9 @@ bool vtkPointDenoisingFilter::FindNormals(vtkInformationVector** inputVector,
   // "None" is how ParaView says that nothing was chosen.
   if (!name.empty() && name != "None")
   {
-    normals = this->GetInputArrayToProcess(0, inputVector);
+    const bool ofPoints =
+      chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    normals = ofPoints ? pointData->GetArray(name.c_str()) : nullptr;
     if (!normals)
     {
       vtkErrorMacro(<< "The input has no point array " << name << " with the normals.");

@@ -16,8 +16,7 @@ static_assert(static_cast<int>(sd::PointScheme::QuadricFit) ==
     static_cast<int>(vtkPointFittingFilter::QUADRIC_FIT),
   "The position schemes of the filter are those of the core.");
 
-static_assert(static_cast<int>(sd::NormId::Centin) ==
-    static_cast<int>(vtkPointFittingFilter::CENTIN),
+static_assert(sd::NumberOfNorms == vtkPointFittingFilter::CENTIN + 1,
   "The norms of the filter are those of the core.");
 
 namespace
@@ -45,6 +44,15 @@ vtkPointFittingFilter::vtkPointFittingFilter(sd::PointMethod method)
 }
 
 vtkPointFittingFilter::~vtkPointFittingFilter() = default;
+
+int vtkPointFittingFilter::GetNumberOfNorms() { return sd::NumberOfNorms; }
+
+const char* vtkPointFittingFilter::GetNormName(int norm)
+{
+  return norm >= 0 && norm < sd::NumberOfNorms
+    ? sd::NameOf(sd::MakeErrorNorm(static_cast<sd::NormId>(norm), 1.0))
+    : nullptr;
+}
 
 void vtkPointFittingFilter::TakeSettings(const sd::PointDenoisingSettings& settings)
 {
@@ -104,7 +112,8 @@ void vtkPointFittingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfPointIterations: " << this->NumberOfPointIterations << "\n";
   os << indent << "PositionScheme: " << this->PositionScheme << "\n";
   os << indent << "PositionStep: " << this->PositionStep << "\n";
-  os << indent << "PositionNorm: " << this->PositionNorm << "\n";
+  os << indent << "PositionNorm: " << vtkPointFittingFilter::GetNormName(this->PositionNorm)
+     << "\n";
   os << indent << "PositionArgument: " << this->PositionArgument << "\n";
   os << indent << "PositionRangeScale: " << this->PositionRangeScale << "\n";
   os << indent << "PositionSpatialScale: " << this->PositionSpatialScale << "\n";

@@ -108,6 +108,10 @@ public:
   void SetPositionNormToCentin() { this->SetPositionNorm(CENTIN); }
   ///@}
 
+  /// The number of norms, and their names in the order of Norms; null for another number.
+  static int GetNumberOfNorms();
+  static const char* GetNormName(int norm);
+
   ///@{
   /// What the norm of the update is applied to, one of Arguments. Default CHORD.
   vtkSetClampMacro(PositionArgument, int, CHORD, BENT_ARC);

@@ -20,7 +20,7 @@ static_assert(static_cast<int>(sd::PointNormalData::Original) ==
   "The data sources of the filter are those of the core.");
 
 static_assert(static_cast<int>(sd::PointNormalOperator::PlaneFit) ==
-    static_cast<int>(vtkRobustPointNormalFilter::PLANE_FIT),
+    static_cast<int>(vtkRobustPointNormalFilter::PLANE_NORMAL),
   "The operators of the filter are those of the core.");
 
 namespace
@@ -89,7 +89,10 @@ void vtkRobustPointNormalFilter::CopyPreset(int preset)
 {
   if (const sd::PointMethodRow* row = FindPreset(preset))
   {
-    this->TakeSettings(row->Settings);
+    // A preset has no say in the normals to start with.
+    sd::PointDenoisingSettings settings = row->Settings;
+    settings.Normals.NumberOfNeighbors = this->NumberOfNormalNeighbors;
+    this->TakeSettings(settings);
     this->Preset = CUSTOM;
     this->Modified();
   }
@@ -122,7 +125,7 @@ void vtkRobustPointNormalFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Preset: " << vtkRobustPointNormalFilter::GetPresetName(this->Preset) << "\n";
-  os << indent << "Norm: " << this->Norm << "\n";
+  os << indent << "Norm: " << vtkPointFittingFilter::GetNormName(this->Norm) << "\n";
   os << indent << "Argument: " << this->Argument << "\n";
   os << indent << "RangeScale: " << this->RangeScale << "\n";
   os << indent << "SpatialScale: " << this->SpatialScale << "\n";

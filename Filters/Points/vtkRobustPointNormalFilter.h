@@ -9,11 +9,11 @@
  * of a spatial Gaussian f and an error norm with the weight function g, applied to an argument
  * x_ij,
  *
- *   AVERAGE        n_i <- normalise( sum_j w_ij n_j )
- *   DIFFUSION      n_i <- normalise( n_i + t / F_i sum_j w_ij (n_j - n_i) ),  F_i = sum_j f_ij
- *   VOTING_TENSOR  n_i <- normalise( 3 n_i + sum_k b_k (e_k . n_i) e_k ), eigenvectors e_k and
- * binary eigenvalues b_k of sum_j w_ij n_j n_j^T PLANE_FIT      n_i <- the normal of the plane
- * through the weighted points,
+ * - AVERAGE: n_i <- normalise( sum_j w_ij n_j );
+ * - DIFFUSION: n_i <- normalise( n_i + t / F_i sum_j w_ij (n_j - n_i) ), F_i = sum_j f_ij;
+ * - VOTING_TENSOR: n_i <- normalise( 3 n_i + sum_k b_k (e_k . n_i) e_k ), with the eigenvectors e_k
+ *   and binary eigenvalues b_k of sum_j w_ij n_j n_j^T;
+ * - PLANE_NORMAL: n_i <- the normal of the plane through the weighted points;
  *
  * with or without guidance, and then the points move to fit, see vtkPointFittingFilter. The
  * defaults are a Gaussian of the chord, normals of robust plane fits and gradient steps: better
@@ -57,7 +57,7 @@ public:
     AVERAGE = 0,
     DIFFUSION = 1,
     VOTING_TENSOR = 2,
-    PLANE_FIT = 3
+    PLANE_NORMAL = 3
   };
 
   /// Published methods that are compositions.
@@ -160,12 +160,12 @@ public:
 
   ///@{
   /// What is made of the weights, one of Operators. Default AVERAGE.
-  vtkSetClampMacro(Operator, int, AVERAGE, PLANE_FIT);
+  vtkSetClampMacro(Operator, int, AVERAGE, PLANE_NORMAL);
   vtkGetMacro(Operator, int);
   void SetOperatorToAverage() { this->SetOperator(AVERAGE); }
   void SetOperatorToDiffusion() { this->SetOperator(DIFFUSION); }
   void SetOperatorToVotingTensor() { this->SetOperator(VOTING_TENSOR); }
-  void SetOperatorToPlaneFit() { this->SetOperator(PLANE_FIT); }
+  void SetOperatorToPlaneNormal() { this->SetOperator(PLANE_NORMAL); }
   ///@}
 
   ///@{

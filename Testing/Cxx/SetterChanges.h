@@ -10,10 +10,13 @@
 #define SetterChanges_h
 
 #include "AllMeshFilters.h"
+#include "AllPointFilters.h"
 #include "TestSurfaces.h"
 
 namespace MeshTest
 {
+
+using PointTest::LimitIterations;
 
 template <typename Filter>
 class Changes

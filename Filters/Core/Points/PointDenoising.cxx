@@ -319,7 +319,10 @@ void PointWork::Orient(const NeighborGraph& nearest, const Buffer<Vec3>& given,
     }
   }
   const NormalOrientation wanted = this->Settings.Normals.Orientation;
-  const bool agree = !given.empty() && ShareOfOpposedNormals(nearest, given) <= 0.05;
+  // Zero vectors agree with everything, but tell no side.
+  const bool anyGiven =
+    std::any_of(given.begin(), given.end(), [](const Vec3& n) { return !n.isZero(0.0); });
+  const bool agree = anyGiven && ShareOfOpposedNormals(nearest, given) <= 0.05;
   if (wanted == NormalOrientation::SpanningTree ||
     (wanted == NormalOrientation::Automatic && !agree))
   {

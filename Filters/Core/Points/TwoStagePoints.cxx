@@ -182,7 +182,7 @@ private:
           centre = compared = &guide;
           break;
         case PointGuidance::Median:
-          DirectionalMedians(points.Neighbors, normals, guide, execution);
+          DirectionalMedians(points.Neighbors, normals, guide, execution, settings.Unoriented);
           centre = &guide;
           break;
         case PointGuidance::Rolling:
