@@ -12,6 +12,7 @@ paraview_packages=(paraview paraview-dev python3-paraview libopenmpi-dev
   qttools5-dev qtxmlpatterns5-dev-tools)
 vtk_packages=(libtbb-dev libjsoncpp-dev)
 test_packages=(libgtest-dev libcli11-dev xvfb xauth libgl1-mesa-dri)
+benchmark_packages=(libbenchmark-dev libcgal-demo libcgal-dev libtbb-dev)
 
 # Debian's plain VTK 9.1 must not be installed beside ParaView's Python, so it is only unpacked.
 unpacked_vtk_packages=(libvtk9-dev libvtk9.1 libvtk9.1-qt libvtk9-java vtk9 python3-vtk9)

@@ -4,6 +4,7 @@
 // Every method of the table beside the bilateral filter with the same iterations. The two take
 // turns, so that whatever else the machine does slows down both.
 
+#include "CostOf.h"
 #include "MethodFilter.h"
 #include "NoisySurface.h"
 #include "SMPExecution.h"
@@ -15,9 +16,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
-#include <functional>
 #include <string>
 
 using namespace SurfaceDenoising;
@@ -40,21 +38,6 @@ const TriangleMesh& MeshOf(int cuts)
     present = cuts;
   }
   return mesh;
-}
-
-struct Cost
-{
-  double Seconds = 0.0;
-  double ProcessorSeconds = 0.0; ///< of all threads; other programs disturb it less
-};
-
-Cost CostOf(const std::function<void()>& work)
-{
-  const std::clock_t processorStart = std::clock();
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return { seconds.count(), double(std::clock() - processorStart) / CLOCKS_PER_SEC };
 }
 
 /// Of denoising a copy of the mesh, not of copying. Without the way from and to VTK, which is the

@@ -21,10 +21,7 @@
 
 using namespace SurfaceDenoising;
 
-namespace
-{
-
-TriangleMesh ReadMesh()
+TriangleMesh CleanMesh()
 {
   TriangleMesh mesh;
   const char* file = std::getenv("SURFACE_DENOISING_BENCHMARK_MESH");
@@ -48,6 +45,9 @@ TriangleMesh ReadMesh()
   }
   return mesh;
 }
+
+namespace
+{
 
 /// Cuts every triangle into k * k of the same shape.
 TriangleMesh Subdivide(const TriangleMesh& coarse, int k)
@@ -139,7 +139,7 @@ void Shuffle(TriangleMesh& mesh)
 
 TriangleMesh NoisyMesh(int k, bool shuffled)
 {
-  TriangleMesh mesh = Subdivide(ReadMesh(), k);
+  TriangleMesh mesh = Subdivide(CleanMesh(), k);
   Execution serial;
   const double edge = TakeEdgeCensus(mesh, VertexStars(mesh), serial).MeanEdgeLength;
   NoiseParameters parameters;

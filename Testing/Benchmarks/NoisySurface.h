@@ -14,8 +14,12 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+/// The OFF file that the environment variable SURFACE_DENOISING_BENCHMARK_MESH names. Empty if it
+/// cannot be read.
+SurfaceDenoising::TriangleMesh CleanMesh();
+
 /**
- * The OFF file that the environment variable SURFACE_DENOISING_BENCHMARK_MESH names, with every
+ * The same with every
  * triangle cut into k * k and noise of 0.2 mean edge lengths in random directions. If shuffled,
  * points and triangles are in random order, otherwise in that of the file. Empty if the file cannot
  * be read.

@@ -2,24 +2,31 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# run.sh [-f filter] [build folder [cmake argument...]]: builds and runs the benchmarks on the Fandisk
-# model that Debian ships with CGAL, and prints tables. The machine should have nothing else to do.
+# run.sh [-o meshes|points] [-f filter] [build folder [cmake argument...]]: builds and runs the
+# benchmarks on the Fandisk model that Debian ships with CGAL, and prints tables. The machine should
+# have nothing else to do.
 #
-# A filter is a regular expression: -f '^Method/' runs all methods and leaves the comparison with
-# other programs out, -f '^Method/Guided' runs one of them. Memory is measured without a filter only.
+# -o runs those of meshes or of points only. A filter is a regular expression: -f '^Method/' runs all
+# methods for meshes and leaves the comparison with other programs out, -f '^Method/Guided' runs one of
+# them, -f '^Points/' runs those of points. Memory is measured without a filter only.
 
 set -eu -o pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source Testing/packages.sh
 filter=
-if [ "${1:-}" = -f ]; then
-  filter=$2
-  shift 2
-fi
+only=
+while getopts f:o: option; do
+  case $option in
+    f) filter=$OPTARG ;;
+    o) only=$OPTARG ;;
+    *) exit 1 ;;
+  esac
+done
+shift $((OPTIND - 1))
 build=${1:-build-benchmarks}
 [ $# -gt 0 ] && shift
 
-install_packages "${build_packages[@]}" "${paraview_packages[@]}" libbenchmark-dev libcgal-demo
+install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${benchmark_packages[@]}"
 
 mkdir -p "$build"
 if [ ! -e "$build/fandisk.off" ]; then
@@ -29,14 +36,36 @@ export SURFACE_DENOISING_BENCHMARK_MESH="$build/fandisk.off"
 
 cmake -G Ninja -S . -B "$build" -DSurfaceDenoising_BUILD_BENCHMARKS=ON \
   -DSurfaceDenoising_WRAP_PYTHON=OFF "$@" >"$build/run.log"
+grep -e '-- Benchmarks:' "$build/run.log" || true
 cmake --build "$build" >>"$build/run.log"
 
 programs="$build/Testing/Benchmarks"
-"$programs/SurfaceDenoisingBenchmarks" --benchmark_filter="${filter:-.}" \
-  --benchmark_out="$build/times.json" --benchmark_out_format=json
-for method in "Bilateral Normal" "Guided Normal"; do
-  for cuts in 3 9 18; do
-    [ -n "$filter" ] || "$programs/SurfaceDenoisingPeakMemory" $cuts "$method"
-  done
-done >"$build/memory.txt"
-python3 Testing/Benchmarks/table.py "$build/times.json" "$build/memory.txt"
+
+# measure <program> <file> <argument>...: runs what the filter lets through. Returns false if there is
+# nothing.
+measure() {
+  "$programs/$1" --benchmark_filter="${filter:-.}" \
+    --benchmark_out="$build/$2" --benchmark_out_format=json "${@:3}"
+  [ -s "$build/$2" ]
+}
+
+peak_memory() {
+  [ -n "$filter" ] || "$programs/SurfaceDenoisingPeakMemory" "$@"
+}
+
+if [ "$only" != points ] && measure SurfaceDenoisingBenchmarks times.json; then
+  for method in "Bilateral Normal" "Guided Normal"; do
+    for cuts in 3 9 18; do
+      peak_memory $cuts "$method"
+    done
+  done >"$build/memory.txt"
+  python3 Testing/Benchmarks/table.py "$build/times.json" "$build/memory.txt"
+fi
+
+if [ "$only" != meshes ] && measure SurfaceDenoisingPointBenchmarks point-times.json \
+  --benchmark_enable_random_interleaving=true; then
+  "$programs/SurfaceDenoisingPeakMemory" names | while read -r method; do
+    peak_memory 1000000 "$method"
+  done >"$build/point-memory.txt"
+  python3 Testing/Benchmarks/point_table.py "$build/point-times.json" "$build/point-memory.txt"
+fi
