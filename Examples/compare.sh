@@ -2,11 +2,13 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Denoises a surface with every method of the ParaView plugin, on a bare Debian 12 (as root or with
-# sudo), and makes a table and a picture of the results:
+# Denoises a surface or a point cloud with every method of the ParaView plugin, on a bare Debian 12
+# (as root or with sudo), and makes a table and a picture of the results:
 #
 #   bash Examples/compare.sh                               a real model that gets noise
+#   bash Examples/compare.sh --points                      the same, its points alone
 #   bash Examples/compare.sh scan.ply                      your own: PLY OBJ STL OFF VTP VTK
+#   bash Examples/compare.sh scan.xyz                      a cloud: also XYZ XYZN PTS ASC
 #   bash Examples/compare.sh noisy.ply truth.ply --parameters cad
 #
 # Options are those of Examples/Python/compare.py; --help lists them. What is missing is installed,

@@ -10,7 +10,8 @@
 
 bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode)
 {
-  CLI::App app("Removes noise from a surface or a point cloud and keeps its edges and its volume.", "denoise");
+  CLI::App app("Removes noise from a surface or a point cloud and keeps its edges and its volume.",
+    "denoise");
   app.footer(
     "Files: PLY, OBJ, STL, VTP, VTK; OFF, and XYZ, XYZN, PTS, ASC with points, for reading only.\n"
     "Exit codes: 0 done, 1 bad command line, 2 cannot read, 3 cannot denoise, 4 cannot write.");

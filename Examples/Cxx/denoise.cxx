@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Removes noise from a surface or a point cloud: reads a file, filters its normals, fits its points,
-// writes a file.
+// Removes noise from a surface or a point cloud: reads a file, filters its normals, fits its
+// points, writes a file.
 
 #include "Method.h"
 #include "Options.h"
