@@ -127,8 +127,13 @@ void NormalFilter::ComputeWeights(const Block& block, const Fields& fields, doub
   }
   if (argument == NormalArgument::Height)
   {
-    SquaredHeights(rows, fields.Centre.data(), this->Centres->data(), this->Positions->data(),
-      weights);
+    SquaredHeights<false>(rows, fields.Centre.data(), this->Centres->data(),
+      this->Positions->data(), weights);
+  }
+  else if (argument == NormalArgument::NeighborHeight)
+  {
+    SquaredHeights<true>(rows, fields.Compared.data(), this->Centres->data(),
+      this->Positions->data(), weights);
   }
   else if (this->Settings.Unoriented)
   {

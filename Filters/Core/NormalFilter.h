@@ -44,7 +44,8 @@ enum class NormalArgument : int
   Height, ///< |n_i . (c_j - c_i)|, the distance of the neighbour from the plane, a length
   /// sqrt(s^2 + C kappa^2), a length: the arc from site to site and the bend along it, kappa = |n_i
   /// - n_j| / d and s = angle / kappa with d = |c_i - c_j|. M. K. Park et al. 2013.
-  BentArc
+  BentArc,
+  NeighborHeight ///< |n_j . (c_j - c_i)|, the distance from the plane of the neighbour, a length
 };
 
 /// True if the argument has the unit of a curvature, 1 / length.
@@ -57,7 +58,8 @@ constexpr bool IsCurvature(NormalArgument argument)
 /// True if the argument is a length.
 constexpr bool IsLength(NormalArgument argument)
 {
-  return argument == NormalArgument::Height || argument == NormalArgument::BentArc;
+  return argument == NormalArgument::Height || argument == NormalArgument::NeighborHeight ||
+    argument == NormalArgument::BentArc;
 }
 
 /// a_j, the fixed weight of a neighbour.
@@ -215,7 +217,7 @@ private:
   Buffer<double> FixedWeights;             ///< a_j f
   Buffer<double> InverseSquaredDistances;  ///< for curvatures along the line between two sites
   Buffer<double> SiteFactors;              ///< g(x_i), for SiteCurvature
-  const Buffer<Vec3>* Positions = nullptr; ///< for Height, those of SetGeometry
+  const Buffer<Vec3>* Positions = nullptr; ///< for heights, those of SetGeometry
   const Buffer<Vec3>* Centres = nullptr;
   const Buffer<double>* NormScaleFactors = nullptr;
 };

@@ -90,30 +90,32 @@ SURFACEDENOISING_VECTORIZED void SquaredDistances(const Rows& rows, const Vec3* 
   }
 }
 
-/// Instead of stages 1 and 2, if heights are compared: (n_i . (p_j - c_i))^2.
-SURFACEDENOISING_VECTORIZED
-void SquaredHeights(const Rows& rows, const Vec3* normals, const Vec3* centres,
-  const Vec3* positions, double* squares)
+/// Instead of stages 1 and 2, if heights are compared: (n . (p_j - c_i))^2 with the normal n of the
+/// site or that of the neighbour.
+template <bool OfNeighbor>
+SURFACEDENOISING_VECTORIZED void SquaredHeights(const Rows& rows, const Vec3* normals,
+  const Vec3* centres, const Vec3* positions, double* squares)
 {
   const std::uint64_t* offsets = rows.Graph.Offsets.data();
   const Index* ids = rows.Graph.Ids.data();
   std::size_t k = 0;
   for (std::size_t i = rows.First; i < rows.Last; ++i)
   {
-    const Vec3& n = normals[i];
     const Vec3& c = centres[i];
-    auto square = [&](const Vec3& p)
+    auto square = [&](std::size_t j)
     {
+      const Vec3& n = normals[OfNeighbor ? j : i];
+      const Vec3& p = positions[j];
       const double height = n[0] * (p[0] - c[0]) + n[1] * (p[1] - c[1]) + n[2] * (p[2] - c[2]);
       return height * height;
     };
     if (rows.Own)
     {
-      squares[k++] = square(positions[i]);
+      squares[k++] = square(i);
     }
     for (std::uint64_t p = offsets[i]; p < offsets[i + 1]; ++p)
     {
-      squares[k++] = square(positions[ids[p]]);
+      squares[k++] = square(ids[p]);
     }
   }
   for (const std::size_t end = RoundUp(k); k < end; ++k)

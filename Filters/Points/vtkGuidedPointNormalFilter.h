@@ -29,7 +29,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// sigma of exp(-(|G_i - G_j| / sigma)^2) with the guidance normals G, a chord. Default 0.3.
+  /// sigma of exp(-(|G_i - G_j| / sigma)^2) with the guidance normals G, a chord. Default 0.35.
   vtkSetClampMacro(RangeScale, double, 0.01, 2.0);
   vtkGetMacro(RangeScale, double);
   ///@}
@@ -79,19 +79,19 @@ public:
   ///@}
 
   ///@{
-  /// A cluster is divided if a member is farther from its mean, in degrees. Default 30.
+  /// A cluster is divided if a member is farther from its mean, in degrees. Default 25.
   vtkSetClampMacro(BundleAngle, double, 1.0, 90.0);
   vtkGetMacro(BundleAngle, double);
   ///@}
 
   ///@{
-  /// Normals of a feature point, at most: 1 to 3. Default 3.
+  /// Normals of a feature point, at most: 1 (no bundles) to 3. Default 3.
   vtkSetClampMacro(MaximumNumberOfNormals, int, 1, 3);
   vtkGetMacro(MaximumNumberOfNormals, int);
   ///@}
 
   ///@{
-  /// Neighbours that make a patch, and whose patches may guide. Default 10.
+  /// Neighbours that make a patch, and whose patches may guide. Default 6.
   vtkSetClampMacro(NumberOfPatchNeighbors, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPatchNeighbors, int);
   ///@}

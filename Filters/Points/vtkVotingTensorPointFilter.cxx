@@ -3,9 +3,15 @@
 
 #include "vtkVotingTensorPointFilter.h"
 
+#include "PointAdapter.h"
 #include "Points/PointMethods.h"
+#include "Points/ReleasedVotingTensor.h"
+#include "Stopwatch.h"
 
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
+
+#include <cmath>
 
 namespace sd = SurfaceDenoising;
 
@@ -15,11 +21,109 @@ vtkVotingTensorPointFilter::vtkVotingTensorPointFilter()
   : vtkPointNeighborhoodFilter(sd::PointMethod::VotingTensorPoint)
 {
   const auto& operation = std::get<sd::VotingTensorPointsSettings>(this->Defaults().Operator);
+  this->AngleThreshold = Rounded(vtkMath::DegreesFromRadians(operation.AngleThreshold));
+  this->EigenvalueThreshold = operation.EigenvalueThreshold;
+  this->Damping = operation.Damping;
+  this->Step = operation.Step;
+  this->PlaneScale = operation.PlaneScale;
+  this->HeightMode =
+    operation.FlatScheme == sd::PointScheme::OwnHeight ? OWN_HEIGHT : BALANCED_HEIGHT;
+  this->NormalScale = operation.FlatNormalScale;
+  this->SpatialScale = operation.FlatSpatialScale;
+  this->EigenvalueCut = operation.EigenvalueCut;
+  this->UnorientedNormals = operation.Unoriented;
 }
 
 vtkVotingTensorPointFilter::~vtkVotingTensorPointFilter() = default;
 
+void vtkVotingTensorPointFilter::Configure(sd::PointDenoisingSettings& settings)
+{
+  this->Superclass::Configure(settings);
+  auto& operation = std::get<sd::VotingTensorPointsSettings>(settings.Operator);
+  operation.AngleThreshold = vtkMath::RadiansFromDegrees(this->AngleThreshold);
+  operation.EigenvalueThreshold = this->EigenvalueThreshold;
+  operation.Damping = this->Damping;
+  operation.Step = this->Step;
+  operation.PlaneScale = this->PlaneScale;
+  operation.FlatScheme =
+    this->HeightMode == OWN_HEIGHT ? sd::PointScheme::OwnHeight : sd::PointScheme::BalancedHeight;
+  operation.FlatNormalScale = this->NormalScale;
+  operation.FlatSpatialScale = this->SpatialScale;
+  operation.EigenvalueCut = this->EigenvalueCut;
+  operation.Unoriented = this->UnorientedNormals;
+}
+
+/// The released program works in the coordinates of the model and in the order of its points.
+bool vtkVotingTensorPointFilter::Denoise(sd::PointView& view,
+  const sd::PointDenoisingSettings& settings, sd::PointDenoisingReport& report,
+  sd::Execution& execution)
+{
+  if (!this->AsReleased)
+  {
+    return this->Superclass::Denoise(view, settings, report, execution);
+  }
+  const sd::Stopwatch stopwatch(report.FilterSeconds);
+  sd::ReleasedVotingTensorSettings released;
+  released.Iterations = this->NumberOfOuterIterations;
+  released.Similarity = std::cos(vtkMath::RadiansFromDegrees(this->AngleThreshold));
+  released.EigenvalueThreshold = this->EigenvalueThreshold;
+  released.Damping = this->Damping;
+  released.Step = this->Step;
+  if (this->MaximumDisplacement > 0.0)
+  {
+    released.Limit = this->MaximumDisplacement;
+  }
+
+  sd::PointCloud& cloud = view.Cloud;
+  sd::Buffer<std::size_t> finite;
+  sd::Buffer<sd::Vec3> positions;
+  sd::Buffer<sd::Vec3> normals;
+  for (std::size_t i = 0; i < cloud.Positions.size(); ++i)
+  {
+    if (cloud.Positions[i].allFinite())
+    {
+      finite.push_back(i);
+      positions.push_back(cloud.Positions[i] + view.Centre);
+      if (!cloud.Normals.empty())
+      {
+        normals.push_back(cloud.Normals[i]);
+      }
+    }
+  }
+  sd::ReleasedVotingTensorReport done;
+  if (!sd::DenoiseAsReleased(positions, normals, released, done, execution))
+  {
+    return false;
+  }
+  cloud.Normals.resize(cloud.Positions.size(), sd::Vec3(0.0, 0.0, 0.0));
+  cloud.Status.assign(cloud.Positions.size(), sd::PointStatus::NotFinite);
+  cloud.Classes.assign(cloud.Positions.size(), sd::FeatureClass::Flat);
+  for (std::size_t k = 0; k < finite.size(); ++k)
+  {
+    const std::size_t i = finite[k];
+    cloud.Positions[i] = positions[k] - view.Centre;
+    cloud.Normals[i] = normals[k];
+    cloud.Status[i] = sd::PointStatus::Filtered;
+    cloud.Classes[i] = done.Classes[k];
+  }
+  report.Spacing = done.Spacing;
+  report.Kept = done.Rejected;
+  report.NotFinite = cloud.Positions.size() - finite.size();
+  return true;
+}
+
 void vtkVotingTensorPointFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "AngleThreshold: " << this->AngleThreshold << "\n";
+  os << indent << "EigenvalueThreshold: " << this->EigenvalueThreshold << "\n";
+  os << indent << "Damping: " << this->Damping << "\n";
+  os << indent << "Step: " << this->Step << "\n";
+  os << indent << "PlaneScale: " << this->PlaneScale << "\n";
+  os << indent << "HeightMode: " << this->HeightMode << "\n";
+  os << indent << "NormalScale: " << this->NormalScale << "\n";
+  os << indent << "SpatialScale: " << this->SpatialScale << "\n";
+  os << indent << "EigenvalueCut: " << this->EigenvalueCut << "\n";
+  os << indent << "UnorientedNormals: " << this->UnorientedNormals << "\n";
+  os << indent << "AsReleased: " << this->AsReleased << "\n";
 }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every method for point sets must do, whatever it computes.
 
+#include "NoisyClouds.h"
 #include "OddThreads.h"
 #include "Points/PointMethods.h"
-#include "RandomClouds.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -44,7 +45,7 @@ protected:
 PointCloud NoisyCube(double noise = 0.04)
 {
   PointCloud cloud;
-  cloud.Positions = CubePoints(16);
+  cloud.Positions = CubeCloud(16).Positions;
   AddNoise(cloud.Positions, noise, 7);
   return cloud;
 }
@@ -52,9 +53,15 @@ PointCloud NoisyCube(double noise = 0.04)
 PointCloud NoisySphere()
 {
   PointCloud cloud;
-  cloud.Positions = SpherePoints(900);
+  cloud.Positions = SphereCloud(900).Positions;
   AddNoise(cloud.Positions, 0.03, 8);
   return cloud;
+}
+
+double DistanceToCube(const Vec3& p)
+{
+  static const SurfaceCloud cube = CubeCloud(1);
+  return std::abs(cube.DistanceOf(p));
 }
 
 void ExpectFinite(const PointCloud& cloud)

@@ -3,7 +3,9 @@
 
 #include "BundleNodes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -26,36 +28,20 @@ public:
   /// Writes at most the maximum number of normals and returns how many.
   std::size_t Make(Index i, Vec3* bundle)
   {
-    const PointSet& points = this->Points;
-    const bool unoriented = this->Settings.Clusters.Unoriented;
     this->Collect(i, true);
-    if (this->Normals.size() < this->Settings.FewestFlat)
+    std::size_t count = 0;
+    if (this->Normals.size() >= this->Settings.FewestFlat)
+    {
+      count = this->FindPlanes(i, bundle);
+    }
+    if (count == 0)
     {
       this->Collect(i, false);
+      count = this->FindPlanes(i, bundle);
     }
-    if (this->Normals.empty())
+    if (count == 0)
     {
-      bundle[0] = points.Normals[i];
-      return 1;
-    }
-    ClusterNormals(this->Normals, points.Normals[i], this->Settings.Clusters, this->Clusters);
-    const double sigma = this->Settings.SpatialScale * points.SpacingAt(i);
-    const std::size_t count = this->Clusters.Centres.size();
-    for (std::size_t c = 0; c < count; ++c)
-    {
-      const Vec3& centre = this->Clusters.Centres[c];
-      Vec3 sum(0.0, 0.0, 0.0);
-      for (std::size_t k = 0; k < this->Normals.size(); ++k)
-      {
-        if (this->Clusters.Of[k] == static_cast<int>(c))
-        {
-          const Vec3& n = this->Normals[k];
-          const double sign = unoriented && n.dot(centre) < 0.0 ? -1.0 : 1.0;
-          sum += sign * std::exp(-this->Squares[k] / (sigma * sigma)) * n;
-        }
-      }
-      const double length = sum.norm();
-      bundle[c] = length > 1e-12 ? Vec3(sum / length) : centre;
+      bundle[count++] = this->Points.Normals[i];
     }
     return count;
   }
@@ -65,22 +51,76 @@ private:
   {
     const PointSet& points = this->Points;
     this->Normals.clear();
-    this->Squares.clear();
+    this->Ways.clear();
     for (const Index j : points.Neighbors.Row(i))
     {
       if (!points.Normals[j].isZero(0.0) && !(flatOnly && this->Features[j]))
       {
         this->Normals.push_back(points.Normals[j]);
-        this->Squares.push_back((points.Positions[j] - points.Positions[i]).squaredNorm());
+        this->Ways.push_back(points.Positions[j] - points.Positions[i]);
       }
     }
+  }
+
+  /// The planes of the clusters that pass near the point.
+  std::size_t FindPlanes(Index i, Vec3* bundle)
+  {
+    if (this->Normals.empty())
+    {
+      return 0;
+    }
+    const BundleSettings& settings = this->Settings;
+    const double spacing = this->Points.SpacingAt(i);
+    const double sigma = settings.SpatialScale * spacing;
+    ClusterNormals(this->Normals, this->Points.Normals[i], settings.Clusters, this->Clusters);
+    if (this->Clusters.Centres.size() == 1)
+    {
+      bundle[0] = this->Points.Normals[i]; // all alike: no feature
+      return 1;
+    }
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < this->Clusters.Centres.size(); ++c)
+    {
+      const Vec3& centre = this->Clusters.Centres[c];
+      auto isMember = [&](std::size_t k) { return this->Clusters.Of[k] == static_cast<int>(c); };
+      // Relative to the nearest member, so that far ones have weights as well.
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < this->Normals.size(); ++k)
+      {
+        nearest = isMember(k) ? std::min(nearest, this->Ways[k].squaredNorm()) : nearest;
+      }
+      Vec3 normal(0.0, 0.0, 0.0);
+      Vec3 middle(0.0, 0.0, 0.0);
+      double weight = 0.0;
+      for (std::size_t k = 0; k < this->Normals.size(); ++k)
+      {
+        if (isMember(k))
+        {
+          const Vec3& n = this->Normals[k];
+          const bool turned = settings.Clusters.Unoriented && n.dot(centre) < 0.0;
+          const double w =
+            sigma > 0.0 ? std::exp((nearest - this->Ways[k].squaredNorm()) / (sigma * sigma)) : 1.0;
+          normal += (turned ? -w : w) * n;
+          middle += w * this->Ways[k];
+          weight += w;
+        }
+      }
+      const double length = normal.norm();
+      normal = length > 1e-12 ? Vec3(normal / length) : centre;
+      const double height = std::abs(normal.dot(middle)) / weight;
+      if (!(settings.Reach > 0.0) || height <= settings.Reach * spacing)
+      {
+        bundle[count++] = normal;
+      }
+    }
+    return count;
   }
 
   const PointSet& Points;
   const Buffer<unsigned char>& Features;
   const BundleSettings& Settings;
   std::vector<Vec3> Normals;
-  std::vector<double> Squares;
+  std::vector<Vec3> Ways; ///< from the point to the neighbours
   NormalClusters Clusters;
 };
 
@@ -100,7 +140,7 @@ BundleNodes MakeBundles(const PointSet& points, const Buffer<unsigned char>& fea
     }
   }
   Buffer<Vec3> bundles(listed.size() * most);
-  Buffer<unsigned char> sizes(listed.size());
+  Buffer<Index> sizes(listed.size());
   execution.For(
     listed.size(),
     [&](std::size_t begin, std::size_t end)
@@ -108,7 +148,7 @@ BundleNodes MakeBundles(const PointSet& points, const Buffer<unsigned char>& fea
       BundleMaker maker(points, features, settings);
       for (std::size_t f = begin; f < end; ++f)
       {
-        sizes[f] = static_cast<unsigned char>(maker.Make(listed[f], bundles.data() + f * most));
+        sizes[f] = static_cast<Index>(maker.Make(listed[f], bundles.data() + f * most));
       }
     },
     256);

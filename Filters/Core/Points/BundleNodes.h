@@ -35,16 +35,22 @@ struct BundleNodes
 struct BundleSettings
 {
   NormalClusterSettings Clusters;
-  double SpatialScale = 1.5;  ///< sigma of exp(-(d / sigma)^2), in spacings
-  std::size_t FewestFlat = 4; ///< fewer neighbours that are no features: all neighbours count
+  double SpatialScale = 1.5; ///< sigma of exp(-(d / sigma)^2), in spacings; 0: no such factor
+  double Reach = 0.75;       ///< largest distance of a point from its planes, spacings; 0: any
+  std::size_t FewestFlat = 4;
 };
 
 /**
- * The bundles of all points. Points that are no features have their own normal. The normals of the
- * neighbours of a feature that are no features themselves are clustered (NormalClusters.h); each
- * cluster gives it a normal, the normalised sum_j exp(-(d_ij / sigma)^2) n_j over its members.
- * Neighbours without a normal have no say; without any that has one, the feature keeps its own
- * normal. The graph has no neighbours yet.
+ * The bundles of all points. Points that are no features have their own normal. For a feature i,
+ * the normals of the neighbours that are no features themselves (of all neighbours, if these are
+ * fewer than FewestFlat) are clustered, see NormalClusters.h; if they are one cluster, i keeps its
+ * own normal. With w_j = exp(-(d_ij / sigma)^2) over the members of a cluster, its plane has the
+ * normal n = sum w_j n_j, normalised, and goes through sum w_j p_j / sum w_j. The bundle are the
+ * normals of the planes within Reach of p_i; if there are none, all neighbours are clustered; if
+ * there still are none, i keeps its own normal.
+ *
+ * Neighbours without a normal have no say. The graph has rows of the right lengths, without
+ * neighbours yet.
  */
 BundleNodes MakeBundles(const PointSet& points, const Buffer<unsigned char>& features,
   const BundleSettings& settings, Execution& execution);

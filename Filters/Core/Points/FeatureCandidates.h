@@ -22,9 +22,24 @@
 namespace SurfaceDenoising
 {
 
-/// a_i of all points; 1 without a normal or without neighbours. sigma is a chord, above 0.
+struct FeatureCandidateSettings
+{
+  double Scale = 0.3;          ///< sigma, a chord above 0
+  double Threshold = 0.6;      ///< candidates have lower scores
+  double SkeletonRadius = 0.0; ///< h of the skeleton, in spacings; 0: no skeleton
+};
+
+/// a_i of all points; 1 without a normal or without neighbours.
 Buffer<double> SimilarityScores(const NeighborGraph& neighbors, const Buffer<Vec3>& positions,
   const Buffer<Vec3>& normals, double sigma, Execution& execution);
+
+/**
+ * Marks the points that are features: the candidates, or of them only those at most h / 2 from
+ * their skeleton (MedialSkeleton.h), which is where candidates are many and not a stray one.
+ * Returns false if the execution asked to stop.
+ */
+bool FindFeatures(const PointSet& points, const FeatureCandidateSettings& settings,
+  Buffer<unsigned char>& features, Execution& execution, double first, double last);
 
 }
 

@@ -22,10 +22,10 @@ namespace SurfaceDenoising
 
 struct Plane
 {
-  Vec3 Centre = Vec3(0.0, 0.0, 0.0);    ///< relative to the same place as the points
-  Vec3 Normal = Vec3(0.0, 0.0, 0.0);    ///< zero if the points do not define a plane
-  Vec3 Along = Vec3(0.0, 0.0, 0.0);     ///< where the points extend most, on a line as well
-  Vec3 Variances = Vec3(0.0, 0.0, 0.0); ///< eigenvalues of C, ascending
+  Vec3 Centre = Vec3(0.0, 0.0, 0.0); ///< relative to the same place as the points
+  Vec3 Normal = Vec3(0.0, 0.0, 0.0); ///< zero if the points do not define a plane
+  Vec3 Along = Vec3(0.0, 0.0, 0.0); ///< where the points extend most, on a line as well; of FitAxes
+  Vec3 Variances = Vec3(0.0, 0.0, 0.0); ///< eigenvalues of C, ascending; see FindLeastAxis
 
   double HeightOf(const Vec3& p) const { return this->Normal.dot(p - this->Centre); }
 };
@@ -34,29 +34,43 @@ struct Plane
 class PlaneSum
 {
 public:
+  /// Of 1, x, y, z, xx, xy, xz, yy, yz, zz; the others make it a whole number of vectors.
+  using Moments = std::array<double, 12>;
+
+  PlaneSum() = default;
+  explicit PlaneSum(const Moments& sums)
+    : Sums(sums)
+  {
+  }
+
   void Add(const Vec3& p, double weight = 1.0)
   {
     const Vec3 wp = weight * p;
-    this->Weight += weight;
-    this->First += wp;
-    this->Second[0] += wp[0] * p[0];
-    this->Second[1] += wp[0] * p[1];
-    this->Second[2] += wp[0] * p[2];
-    this->Second[3] += wp[1] * p[1];
-    this->Second[4] += wp[1] * p[2];
-    this->Second[5] += wp[2] * p[2];
+    this->Sums[0] += weight;
+    this->Sums[1] += wp[0];
+    this->Sums[2] += wp[1];
+    this->Sums[3] += wp[2];
+    this->Sums[4] += wp[0] * p[0];
+    this->Sums[5] += wp[0] * p[1];
+    this->Sums[6] += wp[0] * p[2];
+    this->Sums[7] += wp[1] * p[1];
+    this->Sums[8] += wp[1] * p[2];
+    this->Sums[9] += wp[2] * p[2];
   }
 
-  double TotalWeight() const { return this->Weight; }
+  double TotalWeight() const { return this->Sums[0]; }
 
   /// No plane (a zero normal) without weight, and for points that lie at one place or on a line:
   /// the two larger variances must be above the rounding of the smallest.
   Plane Fit() const;
 
+  /// The same with the direction Along and all digits of the variances, which takes longer.
+  Plane FitAxes() const;
+
 private:
-  double Weight = 0.0;
-  Vec3 First = Vec3(0.0, 0.0, 0.0);
-  std::array<double, 6> Second = {};
+  bool FindCovariance(Plane& plane, Mat3& covariance, double& rounding) const;
+
+  Moments Sums = {};
 };
 
 struct RobustPlaneSettings

@@ -3,41 +3,12 @@
 
 #include "PointPatches.h"
 
-#include <limits>
-
 namespace SurfaceDenoising
 {
 
-namespace
+PointPatch JudgePatch(const std::vector<Vec3>& members)
 {
-
-struct Patch
-{
-  double Inconsistency = std::numeric_limits<double>::infinity();
-  Vec3 Mean = Vec3(0.0, 0.0, 0.0);
-};
-
-/// The patch of site j; members is memory to work in.
-Patch JudgePatch(const NeighborGraph& graph, const Buffer<Vec3>& normals, std::size_t j,
-  const PointPatchSettings& settings, std::vector<Vec3>& members)
-{
-  Patch patch;
-  const Vec3& centre = normals[j];
-  if (centre.isZero(0.0))
-  {
-    return patch;
-  }
-  members.assign(1, centre);
-  const Span<Index> row = graph.Row(j);
-  for (std::size_t k = 0; k < std::min(settings.Neighbors, row.size()); ++k)
-  {
-    const Vec3& n = normals[row[k]];
-    if (!n.isZero(0.0))
-    {
-      const bool turned = settings.Unoriented && n.dot(centre) < 0.0;
-      members.push_back(turned ? Vec3(-n) : n);
-    }
-  }
+  PointPatch patch;
   double largest = 0.0;
   double sum = 0.0;
   Vec3 mean(0.0, 0.0, 0.0);
@@ -60,20 +31,48 @@ Patch JudgePatch(const NeighborGraph& graph, const Buffer<Vec3>& normals, std::s
   return patch;
 }
 
+namespace
+{
+
+/// The normals of the patch of site j; none if that has no normal.
+void CollectMembers(const NeighborGraph& graph, const Buffer<Vec3>& normals, std::size_t j,
+  const PointPatchSettings& settings, std::vector<Vec3>& members)
+{
+  members.clear();
+  const Vec3& centre = normals[j];
+  if (centre.isZero(0.0))
+  {
+    return;
+  }
+  members.push_back(centre);
+  const Span<Index> row = graph.Row(j);
+  for (std::size_t k = 0; k < std::min(settings.Neighbors, row.size()); ++k)
+  {
+    const Vec3& n = normals[row[k]];
+    const double cosine = n.dot(centre);
+    const bool turned = settings.Unoriented && cosine < 0.0;
+    if (!n.isZero(0.0) && (turned ? -cosine : cosine) >= settings.MemberAgreement)
+    {
+      members.push_back(turned ? Vec3(-n) : n);
+    }
+  }
+}
+
 }
 
 void ComputePointPatches(const NeighborGraph& graph, const Buffer<Vec3>& normals,
   const PointPatchSettings& settings, Buffer<Vec3>& guidance, Execution& execution)
 {
   const std::size_t count = graph.NumberOfRows();
-  Buffer<Patch> patches(count);
+  Buffer<PointPatch> patches(count);
   execution.For(count,
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<Vec3> members;
       for (std::size_t j = begin; j < end; ++j)
       {
-        patches[j] = JudgePatch(graph, normals, j, settings, members);
+        CollectMembers(graph, normals, j, settings, members);
+        patches[j] = JudgePatch(members);
       }
     });
   guidance.resize(count);
@@ -83,7 +82,7 @@ void ComputePointPatches(const NeighborGraph& graph, const Buffer<Vec3>& normals
       for (std::size_t i = begin; i < end; ++i)
       {
         const Vec3& n = normals[i];
-        const Patch* best = &patches[i];
+        const PointPatch* best = &patches[i];
         double sign = 1.0;
         const Span<Index> row = graph.Row(i);
         for (std::size_t k = 0; k < std::min(settings.Neighbors, row.size()); ++k)

@@ -21,6 +21,8 @@
 
 #include "NeighborGraph.h"
 
+#include <limits>
+
 namespace SurfaceDenoising
 {
 
@@ -29,7 +31,20 @@ struct PointPatchSettings
   std::size_t Neighbors = 10; ///< of a site that belong to its patch, and whose patches it may take
   double Agreement = 0.7;     ///< the least n_i . n_j
   bool Unoriented = false;    ///< members are turned to the side of n_j before they are compared
+  /// Members of the patch of site j have n_j . n_a of at least this, so that patches end at edges;
+  /// -2: all. Where faces are narrow there is no patch without points beyond an edge, and half of
+  /// one face and half of the other is more consistent by H than a few of the other alone.
+  double MemberAgreement = -2.0;
 };
+
+struct PointPatch
+{
+  double Inconsistency = std::numeric_limits<double>::infinity(); ///< H
+  Vec3 Mean = Vec3(0.0, 0.0, 0.0);                                ///< unit length; zero: no mean
+};
+
+/// The patch of these unit normals.
+PointPatch JudgePatch(const std::vector<Vec3>& members);
 
 /// Guidance normals of all sites. Of equally consistent patches the one that comes first counts,
 /// that of the site itself before those of its neighbours.

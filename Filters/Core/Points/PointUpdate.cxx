@@ -25,29 +25,34 @@ struct RowSums
 
 }
 
-Vec3 SolveTruncated(const Mat3& a, const Vec3& b, double cut)
+TruncatedSolution SolveWithRank(const Mat3& a, const Vec3& b, double cut)
 {
   const Eigensystem system = Decompose(a);
-  const double limit = cut * system.Values[2];
-  Vec3 x(0.0, 0.0, 0.0);
+  const double limit = std::max(cut, 1e-12) * system.Values[2];
+  TruncatedSolution solution;
   for (int k = 0; k < 3; ++k)
   {
     if (system.Values[k] > 0.0 && system.Values[k] >= limit)
     {
       const Vec3 e = system.Vectors.col(k);
-      x += e.dot(b) / system.Values[k] * e;
+      solution.X += e.dot(b) / system.Values[k] * e;
+      ++solution.Rank;
     }
   }
-  return x;
+  return solution;
 }
 
 std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter::Fields& fields,
   const Buffer<Vec3>& positions, const PointUpdateSettings& settings, Buffer<Vec3>& displacements,
-  Execution& execution)
+  Execution& execution, Buffer<unsigned char>* ranks)
 {
   const NeighborGraph& graph = weights.Neighbors();
   const Buffer<Vec3>& normals = fields.Data;
   displacements.resize(graph.NumberOfRows());
+  if (ranks)
+  {
+    ranks->assign(graph.NumberOfRows(), 0);
+  }
   std::atomic<std::size_t> kept{ 0 };
   weights.VisitWeights(fields, execution,
     [&](std::size_t i, const double* w)
@@ -57,12 +62,20 @@ std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter
       RowSums sums;
       if (weights.IncludesOwn())
       {
-        sums.Weight += *w++; // no height, no way to oneself
+        // No height, no way to oneself; but the own plane holds back.
+        sums.Quadric += *w * n * n.transpose();
+        sums.Weight += *w++;
       }
+      const Vec3 line = settings.Lines ? (*settings.Lines)[i] : Vec3(0.0, 0.0, 0.0);
       for (const Index j : graph.Row(i))
       {
-        const Vec3 e = positions[j] - p;
-        const Vec3& m = normals[j];
+        Vec3 e = positions[j] - p;
+        Vec3 m = normals[j];
+        if (settings.Lines)
+        {
+          e -= line.dot(e) * line;
+          m -= line.dot(m) * line;
+        }
         const double sign = settings.Unoriented && n.dot(m) < 0.0 ? -1.0 : 1.0;
         const double height = m.dot(e);
         sums.Weight += *w;
@@ -99,8 +112,16 @@ std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter
           d = step / 3.0 * (sums.OwnHeight * n + sums.Pull);
           break;
         case PointScheme::QuadricFit:
-          d = settings.Step * SolveTruncated(sums.Quadric, sums.Pull, settings.EigenvalueCut);
+        {
+          const TruncatedSolution solution =
+            SolveWithRank(sums.Quadric, sums.Pull, settings.EigenvalueCut);
+          d = settings.Step * solution.X;
+          if (ranks)
+          {
+            (*ranks)[i] = static_cast<unsigned char>(solution.Rank);
+          }
           break;
+        }
       }
     });
   return kept;

@@ -14,6 +14,9 @@
  *   Gradient        p_i += t / (3 W_i)  sum_j w_ij (n_i (n_i . e_ij) + n_j (n_j . e_ij))
  *   QuadricFit      p_i += t A^+ b,     A = sum_j w_ij n_j n_j^T,  b = sum_j w_ij n_j (n_j . e_ij)
  *
+ * where QuadricFit may be done in the cross-section of a line: the parts of n_j and e_ij along the
+ * line are left out, and the point stays where it is along it.
+ *
  * Own heights pull curved surfaces inwards and those of neighbours push them outwards by the same
  * amount, so that balanced ones leave a sphere alone. The gradient is a step down the distances of
  * points from one another's planes.
@@ -46,18 +49,35 @@ struct PointUpdateSettings
   /// QuadricFit: eigenvalues of A below this times the largest are none, and the point does not
   /// move along their vectors.
   double EigenvalueCut = 0.05;
+  /// QuadricFit: unit vectors of the lines across which to fit, zero where there is none; per site.
+  const Buffer<Vec3>* Lines = nullptr;
 };
 
 /**
  * The displacements of one step for every site of the filter: of zero where there is no weight, or
- * no normal for the schemes that need one. Returns the number of these sites.
+ * no normal for the schemes that need one. Returns the number of these sites. If ranks are wanted:
+ * how many eigenvalues counted in QuadricFit, that is, whether there is a plane, a line or a point
+ * where planes meet.
  */
 std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter::Fields& fields,
   const Buffer<Vec3>& positions, const PointUpdateSettings& settings, Buffer<Vec3>& displacements,
-  Execution& execution);
+  Execution& execution, Buffer<unsigned char>* ranks = nullptr);
 
-/// A^+ b for a symmetric positive semidefinite A: eigenvalues below cut times the largest are none.
-Vec3 SolveTruncated(const Mat3& a, const Vec3& b, double cut);
+/// What is known of x in A x = b with a symmetric positive semidefinite A.
+struct TruncatedSolution
+{
+  Vec3 X = Vec3(0.0, 0.0, 0.0); ///< A^+ b
+  int Rank = 0;                 ///< eigenvalues that counted
+};
+
+/// Eigenvalues below cut (or 1e-12) times the largest are none.
+TruncatedSolution SolveWithRank(const Mat3& a, const Vec3& b, double cut);
+
+/// A^+ b of it.
+inline Vec3 SolveTruncated(const Mat3& a, const Vec3& b, double cut)
+{
+  return SolveWithRank(a, b, cut).X;
+}
 
 /**
  * Moves the points to these places. A point whose place is not finite, or farther than

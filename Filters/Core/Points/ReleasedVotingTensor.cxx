@@ -158,7 +158,7 @@ private:
         similar.Add(this->Positions[j] - p);
       }
     }
-    const Plane plane = similar.Fit();
+    const Plane plane = similar.FitAxes();
     const Vec3 values = plane.Variances / plane.Variances.norm();
     if (!values.allFinite())
     {

@@ -6,6 +6,7 @@
 #include "BallTree.h"
 #include "ImplicitSurface.h"
 #include "InterruptedExecution.h"
+#include "PointNeighbors.h"
 #include "PointUpdate.h"
 
 #include <cmath>
@@ -88,7 +89,7 @@ private:
   static bool IsSample(const PointSet& points, std::size_t i)
   {
     const Span<Index> row = points.Neighbors.Row(i);
-    const std::size_t count = std::min<std::size_t>(row.size(), 16);
+    const std::size_t count = std::min(row.size(), SpacingNeighbors);
     const bool heap = points.Spacings[i] == points.Spacing && count > 0 &&
       points.Positions[row[count - 1]] == points.Positions[i];
     return !heap && !points.Normals[i].isZero(0.0);

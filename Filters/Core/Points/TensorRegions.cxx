@@ -224,9 +224,26 @@ private:
       geometry.SpatialSigmas = &widths;
     }
     filter.SetGeometry(geometry, interrupted);
+    const Buffer<Vec3> none(count, Vec3(0.0, 0.0, 0.0));
     Buffer<Vec3> normals;
-    FitPlanes(filter, { seedNormals, seedNormals, seedNormals, seedNormals }, points.Positions,
-      normals, interrupted);
+    FitPlanes(filter, { none, none, none, none }, points.Positions, normals, interrupted);
+    if (!interrupted.Proceed(last))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      Vec3& n = normals[i];
+      if (n.isZero(0.0))
+      {
+        n = points.Normals[i];
+        points.Status[i] = PointStatus::Kept;
+      }
+      else if (n.dot(seedNormals[i]) < 0.0)
+      {
+        n = -n;
+      }
+    }
     Buffer<Vec3> moves;
     ComputeDisplacements(filter, { normals, normals, normals, normals }, points.Positions,
       { PointScheme::BalancedHeight, 1.0, true }, moves, interrupted);
@@ -241,9 +258,9 @@ private:
     points.Normals.swap(normals);
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (points.Normals[i].isZero(0.0))
+      if (points.Status[i] == PointStatus::Kept)
       {
-        points.Status[i] = PointStatus::Kept;
+        moves[i].setZero();
       }
     }
     MoveBy(moves, points, execution);
