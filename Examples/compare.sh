@@ -12,7 +12,8 @@
 #   bash Examples/compare.sh noisy.ply truth.ply --parameters cad
 #
 # Options are those of Examples/Python/compare.py; --help lists them. What is missing is installed,
-# and the plugin is built once, in build-paraview. Results go to $OUT, by default ./out.
+# and the plugin is built once, in build-paraview. Results go to $OUT, by default ./out. $MODEL is
+# another model than fandisk, one of CGAL's meshes such as lion-head.
 
 # shellcheck source=Examples/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh" || exit 1
@@ -28,9 +29,9 @@ prepare
 if [ ${#surfaces[@]} -gt 0 ]; then
   arguments=("${surfaces[@]}")
 else
-  fetch_fandisk || fail "cannot get the model"
-  arguments=(--truth "$fandisk" "${fandisk_view[@]}")
+  fetch_model || fail "cannot get the model"
+  arguments=(--truth "$truth" "${view[@]}")
 fi
 
-echo "-- comparing methods on ${surfaces[0]:-$fandisk}"
+echo "-- comparing methods on ${surfaces[0]:-$truth}"
 run_script compare.py "${arguments[@]}" "$@" || exit 1

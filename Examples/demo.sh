@@ -11,7 +11,8 @@
 #   bash Examples/demo.sh scan.xyz                            a cloud: also XYZ XYZN PTS ASC
 #
 # Options are those of Examples/Python/demo.py; --help lists them. What is missing is installed, and
-# the plugin is built once, in build-paraview. Results go to $OUT, by default ./out.
+# the plugin is built once, in build-paraview. Results go to $OUT, by default ./out. $MODEL is
+# another model than fandisk, one of CGAL's meshes such as lion-head.
 
 # shellcheck source=Examples/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh" || exit 1
@@ -27,11 +28,11 @@ prepare
 if [ -n "$surface" ]; then
   arguments=("$surface")
 else
-  fetch_fandisk || fail "cannot get the model"
-  arguments=(--truth "$fandisk" "${fandisk_view[@]}")
+  fetch_model || fail "cannot get the model"
+  arguments=(--truth "$truth" "${view[@]}")
   # Noise in all directions distorts triangles, which the Tukey filter evens out again.
   [[ " $* " == *" --points "* ]] || arguments+=(--method "Tukey, wide then narrow")
 fi
 
-echo "-- denoising ${surface:-$fandisk}"
+echo "-- denoising ${surface:-$truth}"
 run_script demo.py "${arguments[@]}" "$@" || exit 1

@@ -7,6 +7,7 @@ import math
 import numpy
 from paraview.servermanager import Fetch
 from paraview.simple import Calculator, ConvertToPointCloud, Glyph, RobustPointNormalFilter
+from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -76,7 +77,7 @@ def shown(cloud):
     discs = Glyph(Input=upright, GlyphType="2D Glyph", GlyphMode="Every Nth Point", Stride=stride,
                   OrientationArray=["POINTS", "Normals"],
                   ScaleArray=["POINTS", "No scale array"],
-                  ScaleFactor=2.2 * report(upright, "MeanSpacing") * math.sqrt(stride))
+                  ScaleFactor=2.0 * report(upright, "MeanSpacing") * math.sqrt(stride))
     discs.GlyphType.GlyphType = "Circle"
     discs.GlyphType.Filled = 1
     discs.GlyphTransform.Rotate = [0.0, 90.0, 0.0]  # the normal of the disc becomes its x axis
@@ -92,11 +93,10 @@ def demo_known(truth, noisy, denoised):
     comparison, found = comparisons[1]
     left = scaled(comparison, "Distance", 1000.0 / found["ReferenceDiagonal"])
     return [Panel(shown(bare_points(truth)), "Original"),
-            Panel(shown(noisy), "With noise: points {} off".format(before)),
-            Panel(shown(denoised), "Denoised: points {} off".format(after)),
-            Panel(shown(left), "What is left", ("POINTS", "Shown"),
-                  2.0 * comparisons[0][1]["RelativeMeanDistance"] * 1000.0,
-                  "Thousandths of the diagonal")], \
+            Panel(shown(noisy), "With noise: {} thousandths off".format(before)),
+            Panel(shown(denoised), "Denoised: {} thousandths off".format(after)),
+            Panel(shown(left), "What is left", ("POINTS", "Shown"), float(before),
+                  "Error in thousandths")], \
         [title.replace("\u00b0", "degrees") for title, *_ in WITH_TRUTH], rows
 
 
@@ -118,8 +118,18 @@ def scaled(cloud, array, factor):
                       Function="{!r} * {}".format(factor, array))
 
 
+def single(cloud):
+    """The cloud with normals in single precision, without which PLY files have none."""
+    data = vtkPolyData()
+    data.ShallowCopy(Fetch(cloud))
+    normals = vtkFloatArray()
+    normals.DeepCopy(data.GetPointData().GetNormals())
+    data.GetPointData().SetNormals(normals)
+    return as_source(data)
+
+
 def write_text(file, cloud):
     """A line with coordinates and normal per point, which XYZ Points Reader reads."""
-    normals = vtk_to_numpy(Fetch(cloud).GetPointData().GetArray("Normals"))
+    normals = vtk_to_numpy(Fetch(cloud).GetPointData().GetNormals())
     numpy.savetxt(file, numpy.hstack([positions(cloud), normals]), "%.9g",
                   header="x y z nx ny nz")

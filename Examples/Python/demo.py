@@ -127,7 +127,7 @@ def main():
     print_table(head, rows)
     # Not "Appended", the default: VTK 9.2 cannot read that with the expat of today's Debian 12.
     SaveData(files[0], denoised, DataMode="Binary")
-    SaveData(files[1], denoised)
+    SaveData(files[1], clouds.single(denoised) if points else denoised)
     if points:
         clouds.write_text(files[3], denoised)
     check_written(files if points else files[:3])

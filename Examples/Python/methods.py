@@ -135,6 +135,8 @@ METHODS = [
 POINT_METHODS = [
     Method("RobustPointNormalFilter", "Robust point normal", "composed", {
         "default": {},
+        "cad": {"RangeScale": 0.3, "NumberOfNormalIterations": 10},
+        "organic": {"RangeScale": 0.5, "NumberOfNormalIterations": 1, "NumberOfPointIterations": 3},
     }),
     Method("RobustImplicitMLSFilter", "Robust implicit MLS", "Oztireli, Guennebaud, Gross 2009", {
         "default": {},
@@ -150,6 +152,7 @@ POINT_METHODS = [
     }),
     Method("BilateralPointFilter", "Bilateral point", "Digne, de Franchis 2017", {
         "default": {},
+        "cad": {"HeightScale": 0.5, "NumberOfOuterIterations": 2},
     }),
     Method("RollingPointNormalFilter", "Rolling point normal", "Zheng, Li, Xu, Wu, Nie 2018", {
         "default": {},

@@ -17,6 +17,7 @@ from panels import check_panels
 PYTHON = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Examples/Python")
 sys.path.insert(0, PYTHON)
 sys.dont_write_bytecode = True
+from clouds import bare_points
 from surfaces import has_polygons, open_surface, positions
 
 
@@ -50,9 +51,8 @@ SaveData("truth.ply", truth)
 before = measured(noisy, truth, "RelativeMeanDistance")
 for folder, arguments, columns in (
         ("cloud", ("noisy.xyz", "--point-iterations", "7"), 3),
-        ("by_points", ("noisy.ply", "--points"), 3),
         ("by_method", ("noisy.ply", "--method", "rolling point normal"), 3),
-        ("known", ("--truth", "truth.ply", "--noise", "0.2", "--method", "Moving least squares"), 2)):
+        ("known", ("--truth", "truth.ply", "--noise", "0.2", "--points"), 2)):
     demo(*arguments, "--output", folder)
     for name in ("denoised.vtp", "denoised.ply", "denoised.xyz"):
         file = os.path.join(folder, name)
@@ -65,12 +65,9 @@ for folder, arguments, columns in (
     check_panels(os.path.join(folder, "denoising.png"), columns, rows=2 if columns == 2 else 1)
 assert not os.path.exists("own/denoised.xyz"), "surfaces are no lists of points"
 
-# The normals of a clean model tell nothing of the noisy points.
-SaveData("normals.vtp", GenerateSurfaceNormals(Input=truth), DataMode="Ascii")
-demo("--truth", "normals.vtp", "--points", "--noise", "0.2", "--outer-iterations", "0",
-     "--output", "start")
-angle = measured(OpenDataFile("start/denoised.vtp"), truth, "MeanPointNormalAngle")
-assert angle > 3.0, "the truth leaks"
+bare = Fetch(bare_points(GenerateSurfaceNormals(Input=truth)))
+assert bare.GetNumberOfVerts() == bare.GetNumberOfPoints() > 0, "points that are seen"
+assert bare.GetPointData().GetNumberOfArrays() == 0, "clean normals tell nothing of noisy points"
 
 SaveData("points.vtp", PointSource(NumberOfPoints=10), DataMode="Ascii")
 for name, arguments in (("points.vtp", ("--method", "Bilateral normal")),
