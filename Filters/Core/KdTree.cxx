@@ -77,9 +77,15 @@ public:
   void sort() {} // nanoflann 1.6 and later call it; the caller sorts anyway
 
   /// Only smaller distances are offered: the next number lets ties with the worst candidate pass.
+  /// When there is nothing nearer than what was found, nothing is offered any more.
   double worstDist() const
   {
-    return this->full() ? std::nextafter(this->Candidates.front().first, Infinity) : this->Bound;
+    if (!this->full())
+    {
+      return this->Bound;
+    }
+    const double worst = this->Candidates.front().first;
+    return worst > 0.0 ? std::nextafter(worst, Infinity) : -1.0;
   }
 
   bool addPoint(double squaredDistance, Index position)

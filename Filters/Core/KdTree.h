@@ -32,8 +32,9 @@ public:
 
   /**
    * The count points nearest to query, nearest first, equally distant ones by number; fewer if
-   * there are fewer. A point of the tree finds itself (or, among coincident points, the lowest
-   * numbers).
+   * there are fewer. A point of the tree finds itself. Of more than count points at the query, any
+   * are found, the same for the same points in the same order: heaps of points would take too long
+   * otherwise.
    */
   void Nearest(const Vec3& query, std::size_t count, std::vector<Index>& found) const;
 

@@ -97,6 +97,20 @@ public:
   ///@}
 
   ///@{
+  /// How far a point may be from the planes of its normals, in spacings; 0: any distance. Default
+  /// 0.75.
+  vtkSetClampMacro(BundleReach, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BundleReach, double);
+  ///@}
+
+  ///@{
+  /// Weight of points with several normals when others move, in [0, 1]. Default 0.1: they do not
+  /// pull faces down to the edge.
+  vtkSetClampMacro(FeaturePull, double, 0.0, 1.0);
+  vtkGetMacro(FeaturePull, double);
+  ///@}
+
+  ///@{
   /// Treat n and -n as the same normal: for normals whose signs mean nothing. Sheets closer than
   /// the neighbourhood are then taken for one. Default off: normals are oriented.
   vtkSetMacro(UnorientedNormals, bool);
@@ -121,6 +135,8 @@ protected:
   double BundleAngle;
   int MaximumNumberOfNormals;
   int NumberOfPatchNeighbors;
+  double BundleReach;
+  double FeaturePull;
   bool UnorientedNormals;
 
 private:

@@ -42,7 +42,7 @@ public:
   ///@}
 
   ///@{
-  /// How often the reference plane is fitted, at most. Default 5.
+  /// How often the reference plane is fitted, at most. Default 1.
   vtkSetClampMacro(NumberOfPlaneFits, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPlaneFits, int);
   ///@}

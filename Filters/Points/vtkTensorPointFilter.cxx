@@ -18,6 +18,7 @@ vtkTensorPointFilter::vtkTensorPointFilter()
   this->Range = operation.Range;
   this->BendFactor = operation.BendFactor;
   this->FeatureThreshold = operation.FeatureThreshold;
+  this->FeatureContrast = operation.FeatureContrast;
   this->RegionThreshold = operation.RegionThreshold;
   this->MinimumRegionSize = operation.LeastMembers;
   this->QuadricAtFeatures = operation.QuadricAtFeatures;
@@ -32,6 +33,7 @@ void vtkTensorPointFilter::Configure(sd::PointDenoisingSettings& settings)
   operation.Range = this->Range;
   operation.BendFactor = this->BendFactor;
   operation.FeatureThreshold = this->FeatureThreshold;
+  operation.FeatureContrast = this->FeatureContrast;
   operation.RegionThreshold = this->RegionThreshold;
   operation.LeastMembers = this->MinimumRegionSize;
   operation.QuadricAtFeatures = this->QuadricAtFeatures;
@@ -43,6 +45,7 @@ void vtkTensorPointFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Range: " << this->Range << "\n";
   os << indent << "BendFactor: " << this->BendFactor << "\n";
   os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
+  os << indent << "FeatureContrast: " << this->FeatureContrast << "\n";
   os << indent << "RegionThreshold: " << this->RegionThreshold << "\n";
   os << indent << "MinimumRegionSize: " << this->MinimumRegionSize << "\n";
   os << indent << "QuadricAtFeatures: " << this->QuadricAtFeatures << "\n";

@@ -47,6 +47,13 @@ public:
   ///@}
 
   ///@{
+  /// How many times what a quarter of the neighbours are below a feature point must be; 0: the
+  /// threshold alone tells. Default 1.5: points of smooth bends are no features.
+  vtkSetClampMacro(FeatureContrast, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FeatureContrast, double);
+  ///@}
+
+  ///@{
   /// Weight of the members of a region, at least, in [0, 1]. Default 0.6.
   vtkSetClampMacro(RegionThreshold, double, 0.0, 1.0);
   vtkGetMacro(RegionThreshold, double);
@@ -74,6 +81,7 @@ protected:
   double Range;
   double BendFactor;
   double FeatureThreshold;
+  double FeatureContrast;
   double RegionThreshold;
   int MinimumRegionSize;
   bool QuadricAtFeatures;

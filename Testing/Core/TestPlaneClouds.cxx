@@ -5,9 +5,7 @@
 // on many threads, on clouds that have no surface.
 
 #include "OddThreads.h"
-#include "Points/PointDenoising.h"
-#include "RandomClouds.h"
-#include "TextbookPlanePoints.h"
+#include "PlaneMethods.h"
 
 #include <gtest/gtest.h>
 
@@ -18,138 +16,7 @@ using namespace SurfaceDenoising;
 namespace
 {
 
-/// A method, and the same by the textbook.
-struct Method
-{
-  std::string Name;
-  std::function<std::unique_ptr<PointOperator>()> Make;
-  std::function<std::vector<int>(PlaneTextbook::Cloud&, const PlaneTextbook::Rows&)> Textbook;
-  double Radius; ///< of the neighbourhood, in spacings; 0: the nearest points
-  int Count;
-};
-
-Method PCA(const std::string& name, const MovingRobustPCASettings& s)
-{
-  return { name, [s] { return MakeMovingRobustPCA(s); },
-    [s](PlaneTextbook::Cloud& cloud, const PlaneTextbook::Rows& rows)
-    {
-      PlaneTextbook::MovingRobustPCA(cloud, rows,
-        { s.NormalAngle, s.Rounds, s.Regularization, s.Fidelity });
-      return std::vector<int>();
-    },
-    0.0, 20 };
-}
-
-Method Regions(const std::string& name, const TensorRegionsSettings& s)
-{
-  return { name, [s] { return MakeTensorRegions(s); },
-    [s](PlaneTextbook::Cloud& cloud, const PlaneTextbook::Rows& rows)
-    {
-      return PlaneTextbook::TensorRegions(cloud, rows,
-        { s.Range, s.BendFactor, s.FeatureThreshold, s.RegionThreshold,
-          static_cast<std::size_t>(s.LeastMembers), s.QuadricAtFeatures });
-    },
-    3.5, 25 };
-}
-
-Method Likelihood(const std::string& name, const LikelihoodPointsSettings& s)
-{
-  const double share = s.Scheme == PointScheme::OwnHeight ? 1.0
-    : s.Scheme == PointScheme::NeighborHeight             ? 0.0
-                                                          : 0.5;
-  return { name, [s] { return MakeLikelihoodPoints(s); },
-    [s, share](PlaneTextbook::Cloud& cloud, const PlaneTextbook::Rows& rows)
-    {
-      PlaneTextbook::Likelihoods(cloud, rows,
-        { s.FeatureSharpening, s.LeastAngle, s.LikelihoodInNormals, share, s.Radius });
-      return std::vector<int>();
-    },
-    s.Radius, 16 };
-}
-
-std::vector<Method> Methods()
-{
-  LikelihoodPointsSettings ball;
-  ball.Radius = 3.0;
-  ball.Scheme = PointScheme::OwnHeight;
-  ball.LikelihoodInNormals = true;
-  LikelihoodPointsSettings sharp;
-  sharp.FeatureSharpening = 0.9;
-  sharp.LeastAngle = 0.3;
-  sharp.Scheme = PointScheme::NeighborHeight;
-  TensorRegionsSettings other;
-  other.Range = 3.0;
-  other.BendFactor = 5.0;
-  other.FeatureThreshold = 0.05;
-  other.RegionThreshold = 0.8;
-  other.LeastMembers = 7;
-  other.QuadricAtFeatures = true;
-  return { PCA("PCA", MovingRobustPCASettings()),
-    PCA("NarrowPCA", { 0.1, 4, 0.05, 0.5 }), // many uniform patches
-    Regions("Regions", TensorRegionsSettings()), Regions("OtherRegions", other),
-    Likelihood("Likelihood", LikelihoodPointsSettings()), Likelihood("BallLikelihood", ball),
-    Likelihood("SharpLikelihood", sharp) };
-}
-
-NeighborGraph Neighbors(const Method& method, const PointSet& points)
-{
-  Execution serial;
-  return method.Radius > 0.0
-    ? PointsWithinRadius(points.Positions, method.Radius * points.Spacing, method.Count, serial)
-    : NearestPoints(points.Positions, method.Count, serial);
-}
-
-void RenewNeighbors(const Method& method, PointSet& points, PointOperator& filter)
-{
-  Execution serial;
-  points.Neighbors = Neighbors(method, points);
-  filter.Renew(points, serial);
-}
-
-/// A cloud with normals of plane fits and random signs, ready for an operator.
-PointSet Prepare(Buffer<Vec3> positions, double spacing, bool localScale = false)
-{
-  Execution serial;
-  std::mt19937 random(9);
-  PointSet points;
-  const NeighborGraph nearest = NearestPoints(positions, 16, serial);
-  points.Normals = PlaneFitNormals(positions, nearest, 16, serial);
-  for (Vec3& n : points.Normals)
-  {
-    n = random() % 2 == 0 ? n : Vec3(-n);
-  }
-  points.Spacing = spacing;
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    points.Spacings.push_back(
-      localScale ? spacing * (0.8 + 0.4 * static_cast<double>(random() % 1000) / 1000.0) : spacing);
-  }
-  points.LocalScale = localScale;
-  points.Start = points.Positions = std::move(positions);
-  points.Status.assign(points.Size(), PointStatus::Filtered);
-  return points;
-}
-
-struct Shape
-{
-  std::string Name;
-  Buffer<Vec3> Positions;
-  double Spacing;
-};
-
-std::vector<Shape> Shapes()
-{
-  std::vector<Shape> shapes = { { "Sphere", SpherePoints(500), 0.16 },
-    { "Cube", CubePoints(9), 2.0 / 9.0 }, { "Wedge", WedgePoints(20, 12), 1.0 } };
-  unsigned seed = 1;
-  for (Shape& shape : shapes)
-  {
-    AddNoise(shape.Positions, 0.2 * shape.Spacing, seed++);
-  }
-  return shapes;
-}
-
-class PlaneClouds : public testing::TestWithParam<Method>
+class PlaneClouds : public testing::TestWithParam<PlaneMethod>
 {
 protected:
   /// Two outer iterations.
@@ -171,7 +38,7 @@ protected:
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, PlaneClouds, testing::ValuesIn(Methods()),
+INSTANTIATE_TEST_SUITE_P(All, PlaneClouds, testing::ValuesIn(PlaneMethods()),
   [](const auto& method) { return method.param.Name; });
 
 double LargestDifference(const Buffer<Vec3>& a, const std::vector<Vec3>& b)

@@ -66,6 +66,7 @@ struct Park
   double Sigma; ///< in spacings
   double C;     ///< over the fourth power of the spacing
   double FeatureThreshold;
+  double FeatureContrast;
   double RegionThreshold;
   std::size_t LeastMembers;
   bool Quadric;

@@ -5,6 +5,8 @@
 
 #include "TextbookPlaneInternals.h"
 
+#include <limits>
+
 namespace PlaneTextbook
 {
 
@@ -29,6 +31,7 @@ std::vector<int> TensorRegions(Cloud& cloud, const Rows& rows, const Park& setti
   };
 
   std::vector<int> classes(count, 0);
+  std::vector<double> intensities(count);
   for (int i = 0; i < count; ++i)
   {
     const std::vector<int> members = WithOwn(i, rows[i]);
@@ -38,9 +41,23 @@ std::vector<int> TensorRegions(Cloud& cloud, const Rows& rows, const Park& setti
       w.push_back(weight(i, j, cloud.Spacings[i]));
     }
     const Vector l = TensorValues(normals, members, w);
-    if (1.5 * (l[0] + l[1]) > settings.FeatureThreshold)
+    intensities[i] = 1.5 * (l[0] + l[1]);
+    if (intensities[i] > settings.FeatureThreshold)
     {
       classes[i] = l[0] > l[1] - l[0] ? 2 : 1;
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    std::vector<double> around;
+    for (const int j : WithOwn(i, rows[i]))
+    {
+      around.push_back(intensities[j]);
+    }
+    std::sort(around.begin(), around.end());
+    if (intensities[i] < settings.FeatureContrast * around[around.size() / 4])
+    {
+      classes[i] = 0;
     }
   }
 
@@ -49,27 +66,16 @@ std::vector<int> TensorRegions(Cloud& cloud, const Rows& rows, const Park& setti
   {
     const double spacing = cloud.Spacings[i];
     int seed = i;
-    if (classes[i] != 0 && !rows[i].empty())
+    double least = std::numeric_limits<double>::infinity();
+    for (const int j : rows[i])
     {
-      std::vector<int> candidates;
-      for (const int j : rows[i])
+      const Vector e = points[j] - points[i];
+      const double cost = std::abs(normals[j].dot(e)) + 0.25 * e.norm();
+      if (classes[i] != 0 && classes[j] == 0 && cost < least)
       {
-        if (classes[j] == 0)
-        {
-          candidates.push_back(j);
-        }
+        seed = j;
+        least = cost;
       }
-      if (candidates.empty())
-      {
-        candidates = rows[i];
-      }
-      auto cost = [&](int j)
-      {
-        const Vector e = points[j] - points[i];
-        return std::abs(normals[j].dot(e)) + 0.25 * e.norm();
-      };
-      seed = *std::min_element(candidates.begin(), candidates.end(),
-        [&](int a, int b) { return cost(a) < cost(b); });
     }
     std::vector<std::pair<double, int>> ranked;
     for (const int j : WithOwn(i, rows[i]))

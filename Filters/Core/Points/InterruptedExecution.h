@@ -16,15 +16,15 @@ namespace SurfaceDenoising
 
 /**
  * Runs loops in pieces and asks in between whether to go on; after a no, nothing runs any more and
- * results are incomplete. Progress goes from first to last in every loop, but never back.
+ * results are incomplete. The first loop reports progress from first to last, others that
+ * follow stay there.
  */
 class InterruptedExecution : public Execution
 {
 public:
   InterruptedExecution(Execution& execution, double first, double last)
     : Whole(execution)
-    , Start(first)
-    , Reached(first)
+    , First(first)
     , Last(last)
   {
   }
@@ -46,8 +46,8 @@ public:
         [&](std::size_t b, std::size_t e) { body(begin + b, begin + e); }, grain);
       const double done =
         static_cast<double>(std::min(count, begin + piece)) / static_cast<double>(count);
-      this->Reached = std::max(this->Reached, this->Start + (this->Last - this->Start) * done);
-      this->Going = this->Whole.Proceed(this->Reached);
+      this->Share = std::max(this->Share, done);
+      this->Going = this->Whole.Proceed(this->First + (this->Last - this->First) * this->Share);
     }
   }
 
@@ -55,9 +55,9 @@ public:
 
 private:
   Execution& Whole;
-  double Start;
-  double Reached; ///< the most that was reported
+  double First;
   double Last;
+  double Share = 0.0; ///< of the way from first to last
   bool Going = true;
 };
 

@@ -14,6 +14,7 @@
 #define SurfaceDenoising_NormalTensor_h
 
 #include "NormalFilter.h"
+#include "PointSet.h"
 
 namespace SurfaceDenoising
 {
@@ -27,6 +28,14 @@ Vec3 NormalTensorValues(const NormalFilter& filter, const Buffer<Vec3>& normals,
 
 /// 1.5 (l2 + l3), in [0, 1].
 inline double FeatureIntensity(const Vec3& values) { return 1.5 * (values[1] + values[2]); }
+
+/**
+ * Who lies on features, by the tensors with the weights of the filter: those with an intensity
+ * above threshold and at least contrast times what a quarter of the site and its neighbours are
+ * below. It is a corner if l3 > l2 - l3, else an edge.
+ */
+void FindFeatures(const NormalFilter& filter, const Buffer<Vec3>& normals, double threshold,
+  double contrast, Buffer<FeatureClass>& classes, Execution& execution);
 
 }
 

@@ -23,15 +23,6 @@ constexpr double ShortestWay = 0.5;
 /// What a spacing of distance counts against one of height when seeds are chosen.
 constexpr double DistanceShare = 0.25;
 
-FeatureClass ClassOf(const Vec3& values, double threshold)
-{
-  if (!(FeatureIntensity(values) > threshold))
-  {
-    return FeatureClass::Flat;
-  }
-  return values[2] > values[1] - values[2] ? FeatureClass::Corner : FeatureClass::Edge;
-}
-
 class TensorRegions : public PointOperator
 {
 public:
@@ -44,7 +35,12 @@ public:
   {
     const double step = (last - first) / 3.0;
     InterruptedExecution classifying(execution, first, first + step);
-    this->FindFeatures(points, classifying);
+    this->WithArcs(points, nullptr, classifying,
+      [&](const NormalFilter& filter)
+      {
+        FindFeatures(filter, points.Normals, this->Settings.FeatureThreshold,
+          this->Settings.FeatureContrast, points.Classes, classifying);
+      });
     if (!classifying.Proceed(first + step))
     {
       return false;
@@ -72,11 +68,11 @@ private:
     return settings;
   }
 
-  /// Calls use(i, weights) for every point, which is seen from a place if places are given, else
-  /// from where it is, and with a normal.
+  /// Calls use(filter) with a filter that sees every point from a place, if places are given, else
+  /// from where it is.
   template <typename Use>
-  void VisitArcs(const PointSet& points, const Buffer<Vec3>* places, const Buffer<Vec3>& normals,
-    Execution& execution, Use use) const
+  void WithArcs(const PointSet& points, const Buffer<Vec3>* places, Execution& execution,
+    Use use) const
   {
     NormalFilter filter(points.Neighbors, this->WeightsOfArcs(points));
     const Buffer<double> ones(points.Size(), 1.0);
@@ -93,46 +89,26 @@ private:
     }
     geometry.Centres = places;
     filter.SetGeometry(geometry, execution);
-    filter.VisitWeights({ points.Normals, normals, points.Normals, points.Normals }, execution,
-      [&](std::size_t i, const double* weights) { use(filter, i, weights); });
-  }
-
-  void FindFeatures(PointSet& points, Execution& execution) const
-  {
-    points.Classes.resize(points.Size());
-    this->VisitArcs(points, nullptr, points.Normals, execution,
-      [&](const NormalFilter& filter, std::size_t i, const double* weights)
-      {
-        points.Classes[i] = ClassOf(NormalTensorValues(filter, points.Normals, i, weights),
-          this->Settings.FeatureThreshold);
-      });
+    use(filter);
   }
 
   static std::size_t SeedOf(const PointSet& points, std::size_t i)
   {
-    if (points.Classes[i] == FeatureClass::Flat)
-    {
-      return i;
-    }
     std::size_t seed = i;
     double least = std::numeric_limits<double>::infinity();
-    bool found = false; // a neighbour on no feature
-    for (const Index j : points.Neighbors.Row(i))
+    if (points.Classes[i] != FeatureClass::Flat)
     {
-      const Vec3& n = points.Normals[j];
-      const bool flat = points.Classes[j] == FeatureClass::Flat;
-      if (n.isZero(0.0) || (found && !flat))
+      for (const Index j : points.Neighbors.Row(i))
       {
-        continue;
+        const Vec3& n = points.Normals[j];
+        const Vec3 e = points.Positions[j] - points.Positions[i];
+        const double distance = std::abs(n.dot(e)) + DistanceShare * e.norm();
+        if (points.Classes[j] == FeatureClass::Flat && !n.isZero(0.0) && distance < least)
+        {
+          seed = j;
+          least = distance;
+        }
       }
-      const Vec3 e = points.Positions[j] - points.Positions[i];
-      const double distance = std::abs(n.dot(e)) + DistanceShare * e.norm();
-      if (distance < least || (flat && !found))
-      {
-        seed = j;
-        least = distance;
-      }
-      found = found || flat;
     }
     return seed;
   }
@@ -154,9 +130,15 @@ private:
       });
     // Who belongs to the region, of each point and its neighbours.
     Buffer<unsigned char> members(graph.NumberOfIds() + points.Size());
-    this->VisitArcs(points, &places, seedNormals, execution,
-      [&](const NormalFilter&, std::size_t i, const double* weights)
-      { this->Choose(weights, graph.Row(i).size() + 1, members.data() + graph.Offsets[i] + i); });
+    const Buffer<Vec3>& normals = points.Normals;
+    this->WithArcs(points, &places, execution,
+      [&](const NormalFilter& filter)
+      {
+        filter.VisitWeights({ normals, seedNormals, normals, normals }, execution,
+          [&](std::size_t i, const double* weights) {
+            this->Choose(weights, graph.Row(i).size() + 1, members.data() + graph.Offsets[i] + i);
+          });
+      });
     regions = BuildRows(execution, points.Size(),
       [&](std::size_t i, Buffer<Index>& row)
       {

@@ -41,6 +41,7 @@ Buffer<double> NeighborDifferences(const PointSet& points, NormalArgument argume
       const bool angle =
         argument == NormalArgument::Angle || argument == NormalArgument::DirectionalCurvature;
       const double x = argument == NormalArgument::Height ? std::abs(n.dot(e))
+        : argument == NormalArgument::NeighborHeight      ? std::abs(m.dot(e))
         : angle                                           ? std::atan2(m.cross(n).norm(), m.dot(n))
                                                           : (m - n).norm();
       differences.push_back(IsCurvature(argument) ? x / e.norm() : x);

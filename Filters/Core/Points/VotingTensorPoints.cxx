@@ -3,6 +3,7 @@
 
 #include "VotingTensorPoints.h"
 
+#include "InterruptedExecution.h"
 #include "PlaneFit.h"
 #include "VotingTensor.h"
 
@@ -41,36 +42,33 @@ public:
   {
     this->Done.NormScale = this->Settings.AngleThreshold;
     this->Ones.assign(points.Size(), 1.0);
-    auto proceed = [&](double share) { return execution.Proceed(first + share * (last - first)); };
+    // Neighbourhoods are large: every stage can be stopped half way.
+    auto stage = [&](double begin, double end)
+    {
+      return InterruptedExecution(execution, first + begin * (last - first),
+        first + end * (last - first));
+    };
 
-    NormalFilterSettings similar;
-    similar.Norm = TruncatedL2Norm{ this->Settings.AngleThreshold };
-    similar.Argument = NormalArgument::Angle;
-    const auto votes = this->MakeFilter(points, points.Neighbors, similar, 0.0, execution);
-    VotingTensorSettings tensor;
-    tensor.Threshold = this->Settings.EigenvalueThreshold;
-    tensor.Damping = this->Settings.Damping;
-    tensor.Unit = EigenvalueUnit::Trace;
-    Buffer<Vec3> filtered;
-    VoteOnNormals(*votes, FieldsOf(points), points.Positions, tensor, filtered, execution);
-    points.Normals.swap(filtered);
-    if (!proceed(0.25))
+    InterruptedExecution normals = stage(0.0, 0.5);
+    if (!this->FilterNormals(points, normals))
     {
       return false;
     }
-    this->Classify(*votes, points, execution);
-    if (!proceed(0.5))
+    Buffer<Vec3> steps;
+    InterruptedExecution heights = stage(0.5, 0.8);
+    this->MeasureHeights(points, steps, heights);
+    if (!heights.Proceed(0.0))
     {
       return false;
     }
-    Buffer<Vec3> places;
-    this->MeasureHeights(points, places, execution);
-    if (!proceed(0.75))
+    const NeighborGraph graph = this->RowsOfFeatures(points, execution);
+    InterruptedExecution planes = stage(0.8, 1.0);
+    this->IntersectPlanes(points, graph, steps, planes);
+    if (!planes.Proceed(0.0))
     {
       return false;
     }
-    this->IntersectPlanes(points, places, execution);
-    this->Move(points, places, execution);
+    MoveBy(steps, points, execution);
     return true;
   }
 
@@ -104,6 +102,28 @@ private:
     auto filter = std::make_unique<NormalFilter>(graph, settings);
     filter->SetGeometry(geometry, execution);
     return filter;
+  }
+
+  /// The tensor step and the classes that follow. Returns false if asked to stop.
+  bool FilterNormals(PointSet& points, Execution& execution)
+  {
+    NormalFilterSettings similar;
+    similar.Norm = TruncatedL2Norm{ this->Settings.AngleThreshold };
+    similar.Argument = NormalArgument::Angle;
+    const auto votes = this->MakeFilter(points, points.Neighbors, similar, 0.0, execution);
+    VotingTensorSettings tensor;
+    tensor.Threshold = this->Settings.EigenvalueThreshold;
+    tensor.Damping = this->Settings.Damping;
+    tensor.Unit = EigenvalueUnit::Trace;
+    Buffer<Vec3> filtered;
+    VoteOnNormals(*votes, FieldsOf(points), points.Positions, tensor, filtered, execution);
+    if (!execution.Proceed(0.0))
+    {
+      return false;
+    }
+    points.Normals.swap(filtered);
+    this->Classify(*votes, points, execution);
+    return execution.Proceed(0.0);
   }
 
   void Classify(const NormalFilter& votes, PointSet& points, Execution& execution)
@@ -147,11 +167,10 @@ private:
     ComputeDisplacements(*filter, FieldsOf(points), points.Positions, update, steps, execution);
   }
 
-  /// Replaces the steps of points on edges and corners.
-  void IntersectPlanes(const PointSet& points, Buffer<Vec3>& steps, Execution& execution)
+  /// The rows of points on edges and corners; none of the others.
+  NeighborGraph RowsOfFeatures(const PointSet& points, Execution& execution) const
   {
-    const bool guarded = this->Settings.PlaneScale > 0.0;
-    const NeighborGraph graph = BuildRows(execution, points.Size(),
+    return BuildRows(execution, points.Size(),
       [&](std::size_t i, Buffer<Index>& row)
       {
         if (points.Classes[i] != FeatureClass::Flat)
@@ -160,6 +179,13 @@ private:
           row.insert(row.end(), all.begin(), all.end());
         }
       });
+  }
+
+  /// Replaces the steps of points on edges and corners; takes those of kept points back.
+  void IntersectPlanes(const PointSet& points, const NeighborGraph& graph, Buffer<Vec3>& steps,
+    Execution& execution)
+  {
+    const bool guarded = this->Settings.PlaneScale > 0.0;
     NormalFilterSettings settings;
     settings.Norm = L2Norm{};
     if (guarded)
@@ -184,26 +210,16 @@ private:
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          if (points.Classes[i] != FeatureClass::Flat && ranks[i] >= fewest)
+          if (points.Status[i] == PointStatus::Kept)
+          {
+            steps[i].setZero();
+          }
+          else if (points.Classes[i] != FeatureClass::Flat && ranks[i] >= fewest)
           {
             steps[i] = towards[i];
           }
         }
       });
-  }
-
-  void Move(PointSet& points, Buffer<Vec3>& places, Execution& execution) const
-  {
-    execution.For(points.Size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const bool kept = points.Status[i] == PointStatus::Kept;
-          places[i] = kept ? points.Positions[i] : Vec3(points.Positions[i] + places[i]);
-        }
-      });
-    MoveTo(places, points, execution);
   }
 
   VotingTensorPointsSettings Settings;
