@@ -69,11 +69,10 @@ std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter
       const Vec3 line = settings.Lines ? (*settings.Lines)[i] : Vec3(0.0, 0.0, 0.0);
       for (const Index j : graph.Row(i))
       {
-        Vec3 e = positions[j] - p;
+        const Vec3 e = positions[j] - p;
         Vec3 m = normals[j];
         if (settings.Lines)
         {
-          e -= line.dot(e) * line;
           m -= line.dot(m) * line;
         }
         const double sign = settings.Unoriented && n.dot(m) < 0.0 ? -1.0 : 1.0;

@@ -14,8 +14,8 @@
  *   Gradient        p_i += t / (3 W_i)  sum_j w_ij (n_i (n_i . e_ij) + n_j (n_j . e_ij))
  *   QuadricFit      p_i += t A^+ b,     A = sum_j w_ij n_j n_j^T,  b = sum_j w_ij n_j (n_j . e_ij)
  *
- * where QuadricFit may be done in the cross-section of a line: the parts of n_j and e_ij along the
- * line are left out, and the point stays where it is along it.
+ * where QuadricFit may be done in the cross-section of a line: the parts of n_j along the line are
+ * left out, and the point stays where it is along it.
  *
  * Own heights pull curved surfaces inwards and those of neighbours push them outwards by the same
  * amount, so that balanced ones leave a sphere alone. The gradient is a step down the distances of

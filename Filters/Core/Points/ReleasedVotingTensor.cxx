@@ -193,7 +193,7 @@ private:
     }
   }
 
-  /// Where the planes of all neighbours meet, with their normals and positions seen along e.
+  /// Where the planes of all neighbours meet, seen along e.
   Vec3 SolveQuadric(std::size_t i, const Vec3& e, Mat3 a) const
   {
     const Vec3& p = this->Positions[i];
@@ -204,7 +204,7 @@ private:
       const Vec3& q = this->Positions[j];
       const Vec3 m = n - e.dot(n) * e;
       a += m * m.transpose();
-      b += m.dot(q - e.dot(q - p) * e) * m;
+      b += m.dot(q) * m; // the part of q along e adds nothing
     }
     return Solve(a, b);
   }

@@ -139,7 +139,7 @@ private:
         {
           similar.Add(points.Positions[j] - points.Positions[i], *weights++);
         }
-        const Plane plane = similar.Fit();
+        const Plane plane = similar.FitAxes();
         if (points.Normals[i].isZero(0.0) || plane.Along.isZero(0.0))
         {
           points.Status[i] = PointStatus::Kept; // nothing similar, or all of it at one place
