@@ -14,17 +14,19 @@ source "$root/Testing/packages.sh"
 out=${OUT:-out}
 build=$root/build-paraview
 program=$(basename "$0" .sh)
-fandisk=$out/fandisk.off
-fandisk_view=(--view 1 -1.6 -0.9 --up 0 0 -1) # shows the steps and the groove
+model=${MODEL:-fandisk} # one of the meshes of CGAL
+truth=$out/$model.off
+view=()
+[ "$model" != fandisk ] || view=(--view 1 -1.6 -0.9 --up 0 0 -1) # shows the steps and the groove
 
 fail() {
   echo "$program: $*" >&2
   exit 1
 }
 
-# fetch_fandisk: the model, from Debian's collection of CGAL data, into the output folder. Nothing
-# but the data is wanted, so that the package is unpacked rather than installed.
-fetch_fandisk() {
+# fetch_model: $model, from Debian's collection of CGAL data, into the output folder. Nothing but the
+# data is wanted, so that the package is unpacked rather than installed.
+fetch_model() {
   local archive=usr/share/doc/libcgal-dev/data.tar.gz folder=/
   if [ ! -e "/$archive" ]; then
     echo "-- fetching libcgal-demo"
@@ -32,7 +34,7 @@ fetch_fandisk() {
     (cd "$folder" && as_root apt-get update -qq &&
       apt-get download -qq -o APT::Sandbox::User=root libcgal-demo && dpkg -x ./*.deb .) || return 1
   fi
-  tar -xzf "$folder/$archive" -O data/meshes/fandisk.off >"$fandisk" || return 1
+  tar -xzf "$folder/$archive" -O "data/meshes/$model.off" >"$truth" || return 1
   [ "$folder" = / ] || rm -r "$folder"
 }
 

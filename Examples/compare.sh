@@ -2,15 +2,18 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Denoises a surface with every method of the ParaView plugin, on a bare Debian 12 (as root or with
-# sudo), and makes a table and a picture of the results:
+# Denoises a surface or a point cloud with every method of the ParaView plugin, on a bare Debian 12
+# (as root or with sudo), and makes a table and a picture of the results:
 #
 #   bash Examples/compare.sh                               a real model that gets noise
+#   bash Examples/compare.sh --points                      the same, its points alone
 #   bash Examples/compare.sh scan.ply                      your own: PLY OBJ STL OFF VTP VTK
+#   bash Examples/compare.sh scan.xyz                      a cloud: also XYZ XYZN PTS ASC
 #   bash Examples/compare.sh noisy.ply truth.ply --parameters cad
 #
 # Options are those of Examples/Python/compare.py; --help lists them. What is missing is installed,
-# and the plugin is built once, in build-paraview. Results go to $OUT, by default ./out.
+# and the plugin is built once, in build-paraview. Results go to $OUT, by default ./out. $MODEL is
+# another model than fandisk, one of CGAL's meshes such as lion-head.
 
 # shellcheck source=Examples/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh" || exit 1
@@ -26,9 +29,9 @@ prepare
 if [ ${#surfaces[@]} -gt 0 ]; then
   arguments=("${surfaces[@]}")
 else
-  fetch_fandisk || fail "cannot get the model"
-  arguments=(--truth "$fandisk" "${fandisk_view[@]}")
+  fetch_model || fail "cannot get the model"
+  arguments=(--truth "$truth" "${view[@]}")
 fi
 
-echo "-- comparing methods on ${surfaces[0]:-$fandisk}"
+echo "-- comparing methods on ${surfaces[0]:-$truth}"
 run_script compare.py "${arguments[@]}" "$@" || exit 1

@@ -4,11 +4,7 @@
 #ifndef Options_h
 #define Options_h
 
-#include "vtkSmartPointer.h"
-
 #include <string>
-
-class vtkMeshDenoisingFilter;
 
 /// What the command line asks for.
 struct Options
@@ -16,7 +12,7 @@ struct Options
   std::string Input;
   std::string Output;
   std::string Reference;
-  std::string Method = "bilateral-normal";
+  std::string Method;       ///< empty: what suits the input
   int Norm = -1;            ///< of vtkRobustNormalFilter::Norms, -1: the filter's default
   double RangeScale = -1.0; ///< negative: the filter's default
   double SpatialScale = -1.0;
@@ -24,15 +20,12 @@ struct Options
   int NormalIterations = -1;
   int VertexIterations = -1;
   double MaximumDisplacement = -1.0;
-  std::string Boundary = "fixed";
+  std::string Boundary; ///< empty: the filter's default
   int Threads = 0;
   bool Quiet = false;
 };
 
 /// Reads the command line. Returns false with the exit code if the program is to end at once.
 bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode);
-
-/// The filter that the options describe; null with a message if an option does not suit the method.
-vtkSmartPointer<vtkMeshDenoisingFilter> MakeFilter(const Options& options, std::string& message);
 
 #endif

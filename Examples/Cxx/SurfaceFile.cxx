@@ -50,8 +50,7 @@ vtkSmartPointer<vtkPolyData> ReadWith(const std::string& path, std::string& mess
   {
     message = keeper->Warning.empty() ? "it has no points" : keeper->Warning;
   }
-  if (message.empty() && needs == Needs::Polygons &&
-    surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+  if (message.empty() && needs == Needs::Polygons && !HasPolygons(surface))
   {
     message = "it has " + std::to_string(surface->GetNumberOfPoints()) + " points but no polygons";
   }
@@ -140,6 +139,11 @@ void MessageKeeper::Execute(vtkObject* caller, unsigned long event, void* data)
   }
 }
 
+bool HasPolygons(vtkPolyData* surface)
+{
+  return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+}
+
 vtkSmartPointer<vtkPolyData> ReadSurfaceFile(const std::string& path, std::string& message,
   Needs needs)
 {
@@ -214,4 +218,14 @@ bool CanWriteSurfaceFile(const std::string& path, std::string& message)
     return false;
   }
   return FindWriter(path, message) != nullptr;
+}
+
+bool CanHold(const std::string& path, vtkPolyData* surface, std::string& message)
+{
+  if (Extension(path) == ".stl" && !HasPolygons(surface))
+  {
+    message = "STL files hold polygons only";
+    return false;
+  }
+  return true;
 }

@@ -32,6 +32,9 @@ enum class Needs
   Points ///< polygons or not
 };
 
+/// Strips count too.
+bool HasPolygons(vtkPolyData* surface);
+
 /// Reads a surface by its extension. Returns null with a message that says what is wrong.
 vtkSmartPointer<vtkPolyData> ReadSurfaceFile(const std::string& path, std::string& message,
   Needs needs = Needs::Polygons);
@@ -41,5 +44,8 @@ bool WriteSurfaceFile(const std::string& path, vtkPolyData* surface, std::string
 
 /// True if a surface can be written to a file of this name; else message says why not.
 bool CanWriteSurfaceFile(const std::string& path, std::string& message);
+
+/// True if a file of this name can hold the surface: STL files hold no points without polygons.
+bool CanHold(const std::string& path, vtkPolyData* surface, std::string& message);
 
 #endif

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Removes noise from a surface: reads a file, filters its face normals, fits its points, writes a
-// file.
+// Removes noise from a surface or a point cloud: reads a file, filters its normals, fits its
+// points, writes a file.
 
+#include "Method.h"
 #include "Options.h"
 #include "SurfaceFile.h"
 
-#include "vtkMeshDenoisingFilter.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkSurfaceComparison.h"
 
 #include <chrono>
@@ -81,8 +82,17 @@ void PrintComparison(const char* name, vtkPolyData* surface, vtkPolyData* refere
   comparison->SetInputData(surface);
   comparison->SetReferenceData(reference);
   comparison->Update();
-  std::printf("%-8s mean normal angle %.2f degrees, E_v %.2f thousandths of the diagonal\n", name,
-    comparison->GetMeanNormalAngle(), 1000.0 * comparison->GetRelativePositionError());
+  if (HasPolygons(surface) && HasPolygons(reference))
+  {
+    std::printf("%-8s mean normal angle %.2f degrees, E_v %.2f thousandths of the diagonal\n", name,
+      comparison->GetMeanNormalAngle(), 1000.0 * comparison->GetRelativePositionError());
+  }
+  else
+  {
+    std::printf("%-8s mean distance %.2f, largest %.2f thousandths of the diagonal\n", name,
+      1000.0 * comparison->GetRelativeMeanDistance(),
+      1000.0 * comparison->GetRelativeMaximumDistance());
+  }
 }
 
 }
@@ -102,13 +112,25 @@ int main(int argc, char* argv[])
   {
     return Complain(options.Output, message, CannotWrite);
   }
-  const auto input = ReadSurfaceFile(options.Input, message);
+  const bool needsPolygons = !options.Method.empty() && !IsForPoints(options.Method);
+  const auto input =
+    ReadSurfaceFile(options.Input, message, needsPolygons ? Needs::Polygons : Needs::Points);
   if (!input)
   {
     return Complain(options.Input, message, CannotRead);
   }
+  if (!CanHold(options.Output, input, message))
+  {
+    return Complain(options.Output, message, CannotWrite);
+  }
+  if (options.Method.empty())
+  {
+    options.Method = DefaultMethod(HasPolygons(input));
+  }
   vtkSmartPointer<vtkPolyData> reference;
-  if (!options.Reference.empty() && !(reference = ReadSurfaceFile(options.Reference, message)))
+  if (!options.Reference.empty() &&
+    !(reference = ReadSurfaceFile(options.Reference, message,
+        IsForPoints(options.Method) ? Needs::Points : Needs::Polygons)))
   {
     return Complain(options.Reference, message, CannotRead);
   }

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The methods that compare.py compares, with the parameters that each gets."""
+"""The methods that compare.py compares, with the parameters that each gets: METHODS for surfaces,
+POINT_METHODS for point clouds."""
 
 from collections import namedtuple
 
@@ -129,9 +130,53 @@ METHODS = [
            }),
 ]
 
+# They filter the points of a cloud, or those of a surface as if it had no polygons. The first is
+# what the demo takes. What the others are called is their name in the table of the C++ library.
+POINT_METHODS = [
+    Method("RobustPointNormalFilter", "Robust point normal", "composed", {
+        "default": {},
+        "cad": {"RangeScale": 0.3, "NumberOfNormalIterations": 10},
+        "organic": {"RangeScale": 0.5, "NumberOfNormalIterations": 1, "NumberOfPointIterations": 3},
+    }),
+    Method("RobustImplicitMLSFilter", "Robust implicit MLS", "Oztireli, Guennebaud, Gross 2009", {
+        "default": {},
+    }),
+    Method("MovingRobustPCAFilter", "Moving robust PCA", "Mattei, Castrodad 2017", {
+        "default": {},
+    }),
+    Method("FeatureAwarePointFilter", "Feature-aware point", "Li 2009", {
+        "default": {},
+    }),
+    Method("TensorPointFilter", "Tensor point", "Park, Lee, Jang, Lee, Lee 2013", {
+        "default": {},
+    }),
+    Method("BilateralPointFilter", "Bilateral point", "Digne, de Franchis 2017", {
+        "default": {},
+        "cad": {"HeightScale": 0.5, "NumberOfOuterIterations": 2},
+    }),
+    Method("RollingPointNormalFilter", "Rolling point normal", "Zheng, Li, Xu, Wu, Nie 2018", {
+        "default": {},
+    }),
+    Method("MovingLeastSquaresFilter", "Moving least squares",
+           "Alexa, Behr, Cohen-Or, Fleishman, Levin, Silva 2003", {
+               "default": {},
+           }),
+    Method("GuidedPointNormalFilter", "Guided point normal", "Zheng, Li, Wu, Liu, Gao 2017", {
+        "default": {},
+    }),
+    Method("VotingTensorPointFilter", "Voting tensor point",
+           "Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier 2018", {
+               "default": {},
+           }),
+]
+
 
 def is_peer(method):
     return method.proxy.startswith("vtk")
+
+
+def is_for_points(method):
+    return method in POINT_METHODS
 
 
 def settings_for(settings, family):
@@ -152,13 +197,20 @@ def make_filters(method, family, surface, overrides=None):
     return surface
 
 
+def captions(peers=True):
+    """What can be asked for, for people."""
+    return "; for points: ".join(
+        ", ".join(method.caption for method in group if peers or not is_peer(method))
+        for group in (METHODS, POINT_METHODS))
+
+
 def find_methods(names):
-    """The methods called so, by caption or filter, in the order of the list; all for no names.
-    ValueError if one is not there."""
+    """The methods called so, by caption or filter, in the order of the lists. ValueError if one is
+    not there."""
     wanted = {name.lower() for name in names}
-    known = {name.lower() for method in METHODS for name in (method.caption, method.proxy)}
+    every = METHODS + POINT_METHODS
+    known = {name.lower() for method in every for name in (method.caption, method.proxy)}
     if wanted - known:
         raise ValueError("there is no method {}; there are {}".format(
-            ", ".join(sorted(wanted - known)), ", ".join(method.caption for method in METHODS)))
-    return [method for method in METHODS
-            if not wanted or wanted & {method.caption.lower(), method.proxy.lower()}]
+            ", ".join(sorted(wanted - known)), captions()))
+    return [method for method in every if wanted & {method.caption.lower(), method.proxy.lower()}]

@@ -2,13 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the examples share: files in, files out, noise, and what the filters say of their work."""
 
-import math
 import os
 import sys
 import time
 
+import numpy
 from paraview.servermanager import Fetch
-from paraview.simple import ConvertToPointCloud, OpenDataFile, SurfaceNoise, XYZPointsReader
+from paraview.simple import (ConvertToPointCloud, OpenDataFile, PVTrivialProducer,
+                             SurfaceComparison, SurfaceNoise, XYZPointsReader)
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Texts with one point per line; ParaView has other readers for some of these names.
 POINT_TEXTS = (".xyz", ".xyzn", ".pts", ".asc")
@@ -26,6 +28,8 @@ def add_noise_options(parser):
     parser.add_argument("--truth", metavar="FILE", help="clean surface that gets noise")
     parser.add_argument("--noise", type=float, default=0.3, metavar="SIZE",
                         help="standard deviation of the noise in mean edge lengths (0.3)")
+    parser.add_argument("--points", action="store_true",
+                        help="take the points of the surface alone; so do methods for points")
 
 
 def add_output_options(parser):
@@ -66,6 +70,18 @@ def open_surface(name, polygons=True):
     return reader
 
 
+def has_polygons(surface):
+    data = Fetch(surface)
+    return data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
+
+
+def as_source(data):
+    """Data of VTK in ParaView's pipeline."""
+    source = PVTrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    return source
+
+
 def add_noise(truth, size):
     return SurfaceNoise(Input=truth, Direction="Random", Size=size)
 
@@ -80,15 +96,31 @@ def seconds_to_update(proxy):
     return seconds
 
 
+def compare(surface, reference, **settings):
+    """The filter that compares, and all its quantities by name."""
+    comparison = SurfaceComparison(Input=surface, Reference=reference, **settings)
+    comparison.UpdatePipeline()
+    table = Fetch(comparison, idx=1)
+    if not (table and table.GetNumberOfRows()):
+        raise RuntimeError("the result cannot be compared")
+    return comparison, {table.GetColumnName(i): table.GetColumn(i).GetValue(0)
+                        for i in range(table.GetNumberOfColumns())}
+
+
+def displacements(moved, surface):
+    """How far each point is from where it was."""
+    return numpy.linalg.norm(positions(moved) - positions(surface), axis=1)
+
+
+def positions(surface):
+    return vtk_to_numpy(Fetch(surface).GetPoints().GetData()).astype(float)
+
+
 def report(proxy, name):
     """A value that the filter reports, after it was executed."""
     proxy.UpdatePipeline()
     proxy.UpdatePropertyInformation()
     return proxy.GetProperty(name).GetData()
-
-
-def number(value, form):
-    return "-" if math.isnan(value) else form.format(value)  # volumes of open surfaces
 
 
 def output_files(folder, names):

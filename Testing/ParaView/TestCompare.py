@@ -11,7 +11,8 @@ import subprocess
 import sys
 from contextlib import redirect_stderr, redirect_stdout
 
-from paraview.simple import PointSource, SaveData, Sphere, SurfaceNoise
+import numpy
+from paraview.simple import OpenDataFile, PointSource, SaveData, Sphere, SurfaceNoise
 
 from panels import check_panels
 
@@ -19,6 +20,7 @@ PYTHON = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Example
 sys.path.insert(0, PYTHON)
 sys.dont_write_bytecode = True
 import methods
+from surfaces import positions
 
 
 def compare(*arguments):
@@ -94,15 +96,42 @@ text, end = compare("--truth", "truth.ply", "--noise", "0.1", "-o", "made", "--m
 assert end == "compare: failed: Misspelt", end
 check_panels("made/comparison.png", columns=3, rows=2, count=5)
 
+# Points: of a mesh, with and without the truth, and in a text; all methods by default.
+numpy.savetxt("noisy.xyz", positions(OpenDataFile("noisy.ply")))
+runs = (("known", ("noisy.ply", "truth.ply", "--points")),
+        ("made", ("--truth", "truth.ply", "--noise", "0.2", "--methods", "Rolling point normal")),
+        ("own", ("noisy.xyz", "--parameters", "organic", "--methods", "Moving robust PCA",
+                 "robust point normal")))
+for folder, arguments in runs:
+    text, end = compare(*arguments, "-o", "points_" + folder)
+    assert end is None, end
+    rows = rows_of("points_" + folder + "/comparison.csv")
+    assert len(table_lines(text)) == len(rows) + 2, text
+    for name in rows:
+        assert not rows[name]["failure"], rows[name]
+        if folder == "own":
+            assert 0.01 < float(rows[name]["MeanDisplacement"]) < 0.5, rows[name]
+        elif name != "Noisy":
+            before, after = (float(rows[row]["RelativeMeanDistance"]) for row in ("Noisy", name))
+            assert after < 0.7 * before, (name, before, after)
+            assert float(rows[name]["MeanPointNormalAngle"]) < 20.0, rows[name]
+    every = len(rows) - (folder != "own")
+    assert every == {"known": len(methods.POINT_METHODS), "made": 1, "own": 2}[folder], list(rows)
+check_panels("points_known/comparison.png", columns=4, rows=3, count=len(methods.POINT_METHODS) + 2)
+check_panels("points_own/comparison.png", columns=3)
+
 # One clear message, and an exit code that says so.
 SaveData("points.vtp", PointSource(NumberOfPoints=10), DataMode="Ascii")
-for arguments in (("points.vtp",), ("missing.ply",), ("noisy.ply", "missing.ply"),
-                  ("--truth", "missing.ply")):
+for arguments in (("missing.ply",), ("noisy.ply", "missing.ply"), ("--truth", "missing.ply"),
+                  ("--methods", "Bilateral normal", "--noise", "0.1", "--truth", "points.vtp"),
+                  ("noisy.ply", "points.vtp")):
     _, end = compare(*arguments, "-o", "none")
     assert isinstance(end, str) and arguments[-1] in end and "\n" not in end, (arguments, end)
 assert not os.path.exists("none"), "nothing is written"
 _, end = compare("noisy.ply", "--methods", "No such method")
 assert end == 2, end
+_, end = compare("noisy.ply", "--methods", "Bilateral normal", "Bilateral point", "-o", "none")
+assert end == "compare: methods for surfaces and methods for points do not go into one table", end
 pvpython = os.readlink("/proc/self/exe")  # sys.executable names something else
 bad = subprocess.run([pvpython, os.path.join(PYTHON, "compare.py"), "missing.ply"],
                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,

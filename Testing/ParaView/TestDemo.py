@@ -1,20 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo writes a surface that is cleaner than its input, in formats that can be read, and a
-picture that shows something; it refuses what is no surface."""
+"""The demo writes a surface or a cloud that is cleaner than its input, in formats that can be read,
+and a picture that shows something; it refuses what it cannot denoise."""
 
 import os
 import runpy
 import sys
 
-from paraview.simple import (OpenDataFile, PointSource, SaveData, Sphere, SurfaceComparison,
-                             SurfaceNoise)
+import numpy
+from paraview.servermanager import Fetch
+from paraview.simple import (GenerateSurfaceNormals, OpenDataFile, PointSource, SaveData, Sphere,
+                             SurfaceComparison, SurfaceNoise)
 
 from panels import check_panels
 
 PYTHON = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Examples/Python")
 sys.path.insert(0, PYTHON)
 sys.dont_write_bytecode = True
+from clouds import bare_points
+from surfaces import has_polygons, open_surface, positions
 
 
 def demo(*arguments):
@@ -22,11 +26,11 @@ def demo(*arguments):
     runpy.run_path(os.path.join(PYTHON, "demo.py"), run_name="__main__")
 
 
-def mean_angle(surface, truth):
+def measured(surface, truth, quantity):
     comparison = SurfaceComparison(Input=surface, Reference=truth)
     comparison.UpdatePipeline()
     comparison.UpdatePropertyInformation()
-    return comparison.GetProperty("MeanNormalAngle").GetData()
+    return comparison.GetProperty(quantity).GetData()
 
 
 truth = Sphere(ThetaResolution=40, PhiResolution=40)
@@ -35,15 +39,41 @@ SaveData("noisy.ply", noisy)
 
 demo("noisy.ply", "--output", "own", "--method", "robust", "--range-scale", "0.35")
 for name in ("own/denoised.vtp", "own/denoised.ply"):
-    angles = mean_angle(OpenDataFile(name), truth), mean_angle(noisy, truth)
+    angles = [measured(surface, truth, "MeanNormalAngle")
+              for surface in (OpenDataFile(name), noisy)]
     assert angles[0] < 0.6 * angles[1], (name, angles)
 
 check_panels("own/denoising.png", columns=3)
 
+# A cloud, in a text without normals; a mesh by its points; a clean model that gets noise.
+numpy.savetxt("noisy.xyz", positions(noisy))
+SaveData("truth.ply", truth)
+before = measured(noisy, truth, "RelativeMeanDistance")
+for folder, arguments, columns in (
+        ("cloud", ("noisy.xyz", "--point-iterations", "7"), 3),
+        ("by_method", ("noisy.ply", "--method", "rolling point normal"), 3),
+        ("known", ("--truth", "truth.ply", "--noise", "0.2", "--points"), 2)):
+    demo(*arguments, "--output", folder)
+    for name in ("denoised.vtp", "denoised.ply", "denoised.xyz"):
+        file = os.path.join(folder, name)
+        cloud = open_surface(file, polygons=False)
+        distance = measured(cloud, truth, "RelativeMeanDistance")
+        assert distance < 0.6 * before, (file, distance, before)
+        assert not has_polygons(cloud), file
+        normals = Fetch(cloud).GetPointData().GetNormals()
+        assert normals or name == "denoised.ply", file
+    check_panels(os.path.join(folder, "denoising.png"), columns, rows=2 if columns == 2 else 1)
+assert not os.path.exists("own/denoised.xyz"), "surfaces are no lists of points"
+
+bare = Fetch(bare_points(GenerateSurfaceNormals(Input=truth)))
+assert bare.GetNumberOfVerts() == bare.GetNumberOfPoints() > 0, "points that are seen"
+assert bare.GetPointData().GetNumberOfArrays() == 0, "clean normals tell nothing of noisy points"
+
 SaveData("points.vtp", PointSource(NumberOfPoints=10), DataMode="Ascii")
-for name in ("points.vtp", "missing.ply"):
+for name, arguments in (("points.vtp", ("--method", "Bilateral normal")),
+                        ("missing.ply", ())):
     try:
-        demo(name, "--output", "none")
+        demo(name, *arguments, "--output", "none")
         assert False, name + " was accepted"
     except SystemExit as end:
         assert name in str(end), end
