@@ -56,6 +56,7 @@ TextbookBundles::Parameters TextbookParameters(const NormalBundlesSettings& sett
   parameters.CandidateThreshold = settings.CandidateThreshold;
   parameters.SkeletonRadius = settings.UseSkeleton ? settings.SkeletonRadius * points.Spacing : 0.0;
   parameters.BundleAngle = settings.BundleAngle;
+  parameters.BundleSeparation = settings.BundleSeparation;
   parameters.MaximumBundles = settings.MaximumBundles;
   parameters.BundleReach = settings.BundleReach * points.Spacing;
   parameters.RangeScale = settings.RangeScale;
@@ -177,6 +178,7 @@ TEST(BundleClouds, FollowsTheTextbookWithOtherSettings)
   variants[1].Unoriented = true;
   variants[2].BundleReach = 0.0;
   variants[2].FeaturePull = 1.0;
+  variants[2].BundleSeparation = 0.0;
   variants[3].MaximumBundles = 2;
   variants[3].BundleAngle = 0.5;
   variants[4].PatchNeighbors = 12;

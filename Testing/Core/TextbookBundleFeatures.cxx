@@ -50,9 +50,10 @@ std::vector<std::vector<int>> Clusters(const std::vector<Point>& normals, const 
   }
   mean.normalize();
   std::vector<std::vector<int>> clusters;
+  std::vector<Point> centres;
   for (int count = 1; count <= parameters.MaximumBundles; ++count)
   {
-    std::vector<Point> centres = { mean };
+    centres = { mean };
     if (count > 1)
     {
       centres = { FarthestFrom({ mean }, normals, axes) };
@@ -98,12 +99,31 @@ std::vector<std::vector<int>> Clusters(const std::vector<Point>& normals, const 
     }
   }
   std::vector<std::vector<int>> full;
-  for (const std::vector<int>& cluster : clusters)
+  std::vector<Point> middles;
+  double variance = 0.0;
+  for (std::size_t c = 0; c < clusters.size(); ++c)
   {
-    if (!cluster.empty())
+    for (const int k : clusters[c])
     {
-      full.push_back(cluster);
+      variance += std::pow(Difference(normals[k], centres[c], axes), 2) / normals.size();
     }
+    if (!clusters[c].empty())
+    {
+      full.push_back(clusters[c]);
+      middles.push_back(centres[c]);
+    }
+  }
+  double nearest = 2.0;
+  for (std::size_t a = 1; a < middles.size(); ++a)
+  {
+    for (std::size_t b = 0; b < a; ++b)
+    {
+      nearest = std::min(nearest, Difference(middles[a], middles[b], axes));
+    }
+  }
+  if (nearest < parameters.BundleSeparation * std::sqrt(variance))
+  {
+    full.resize(1); // of which nothing but the number matters
   }
   return full;
 }
@@ -111,7 +131,7 @@ std::vector<std::vector<int>> Clusters(const std::vector<Point>& normals, const 
 std::vector<Point> Skeleton(const std::vector<Point>& cloud, double h)
 {
   const int count = static_cast<int>(cloud.size());
-  const int picked = std::min(count, std::max(50, count / 20));
+  const int picked = std::min(count, std::max(50, count / 2));
   std::vector<Point> x;
   for (int i = 0; i < picked; ++i)
   {

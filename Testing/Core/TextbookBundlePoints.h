@@ -25,6 +25,7 @@ struct Parameters
   double CandidateThreshold = 0.6;
   double SkeletonRadius = 0.0; ///< 0: none
   double BundleAngle = 0.4363323129985824;
+  double BundleSeparation = 4.0; ///< 0: any
   int MaximumBundles = 3;
   double BundleReach = 0.75; ///< 0: any
   double RangeScale = 0.35;

@@ -17,7 +17,9 @@
  * 2013, with one h throughout.
  *
  * Reconstructed: distances count as at least h / 10, where a point would stay on its own place for
- * ever, and the skeleton starts from evenly picked points of the cloud, not random ones.
+ * ever. The skeleton starts from evenly picked points of the cloud, not random ones, and from half
+ * of them, not a twentieth: the candidates for features are narrow bands, along which a twentieth
+ * would be ten spacings apart.
  */
 
 #ifndef SurfaceDenoising_MedialSkeleton_h
@@ -32,7 +34,7 @@ struct MedialSkeletonSettings
 {
   double Radius = 1.0;     ///< h, a length
   double Repulsion = 0.35; ///< factor of the second sum
-  double Share = 0.05;     ///< of the points of the cloud that the skeleton starts from ...
+  double Share = 0.5;      ///< of the points of the cloud that the skeleton starts from ...
   std::size_t Fewest = 50; ///< ... but at least so many, if there are
   int Iterations = 30;
 };

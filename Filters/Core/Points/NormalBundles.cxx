@@ -40,6 +40,7 @@ public:
       BundleSettings settings;
       settings.Clusters.Angle = this->Settings.BundleAngle;
       settings.Clusters.Maximum = this->Settings.MaximumBundles;
+      settings.Clusters.Separation = this->Settings.BundleSeparation;
       settings.Clusters.Unoriented = this->Settings.Unoriented;
       settings.SpatialScale = this->Settings.SpatialScale;
       settings.Reach = this->Settings.BundleReach;

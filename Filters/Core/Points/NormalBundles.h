@@ -32,6 +32,8 @@
  *   is free of points beyond it.
  * - A bundle has the planes that pass near its point. Without that points as far as a
  *   neighbourhood from an edge jump onto it.
+ * - Clusters must be apart for the spread within them. Normals of curved surfaces fill the space in
+ *   between, and so do those of fits across edges.
  * - Where all normals around are alike, a candidate keeps its own. Their mean, for which the edges
  *   of flat roofs are narrow enough, is that of a bevel.
  * - Points with several normals pull others with a small weight. They start beside the edge, below
@@ -60,6 +62,7 @@ struct NormalBundlesSettings
   bool UseSkeleton = false;        ///< of the candidates, only those near their L1-medial skeleton
   double SkeletonRadius = 3.0;     ///< h of the skeleton, in spacings
   double BundleAngle = 0.4363323129985824; ///< largest angle of a member to its bundle, radians
+  double BundleSeparation = 4.0;           ///< of clusters, see NormalClusters.h; 0: any
   int MaximumBundles = 3;    ///< normals per point: 2 at edges, 3 at corners; 1: no bundles
   double BundleReach = 0.75; ///< how far a point may be from its planes, in spacings; 0: any
   double RangeScale = 0.35;  ///< sigma of exp(-(|G_i - G_j| / sigma)^2), a chord

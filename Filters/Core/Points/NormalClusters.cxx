@@ -91,6 +91,44 @@ void Average(const std::vector<Vec3>& normals, const std::vector<int>& of, bool 
   }
 }
 
+/// Leaves out clusters without members.
+void DropEmpty(std::vector<Vec3>& centres, std::vector<int>& of)
+{
+  int kept = 0;
+  for (int c = 0; c < static_cast<int>(centres.size()); ++c)
+  {
+    if (std::find(of.begin(), of.end(), c) != of.end())
+    {
+      std::replace(of.begin(), of.end(), c, kept);
+      centres[kept++] = centres[c];
+    }
+  }
+  centres.resize(kept);
+}
+
+bool AreSeparated(const std::vector<Vec3>& normals, const NormalClusters& clusters,
+  const NormalClusterSettings& settings)
+{
+  const std::vector<Vec3>& centres = clusters.Centres;
+  auto squaredChord = [&](const Vec3& a, const Vec3& b)
+  { return 2.0 * (1.0 - Likeness(a, b, settings.Unoriented)); };
+  double spread = 0.0;
+  for (std::size_t k = 0; k < normals.size(); ++k)
+  {
+    spread += squaredChord(normals[k], centres[clusters.Of[k]]);
+  }
+  double least = 4.0;
+  for (std::size_t a = 0; a < centres.size(); ++a)
+  {
+    for (std::size_t b = 0; b < a; ++b)
+    {
+      least = std::min(least, squaredChord(centres[a], centres[b]));
+    }
+  }
+  return least * static_cast<double>(normals.size()) >=
+    settings.Separation * settings.Separation * spread;
+}
+
 }
 
 void ClusterNormals(const std::vector<Vec3>& normals, const Vec3& side,
@@ -133,17 +171,12 @@ void ClusterNormals(const std::vector<Vec3>& normals, const Vec3& side,
       break;
     }
   }
-  // Without the empty ones.
-  int kept = 0;
-  for (int c = 0; c < static_cast<int>(centres.size()); ++c)
+  DropEmpty(centres, of);
+  if (centres.size() > 1 && !AreSeparated(normals, clusters, settings))
   {
-    if (std::find(of.begin(), of.end(), c) != of.end())
-    {
-      std::replace(of.begin(), of.end(), c, kept);
-      centres[kept++] = centres[c];
-    }
+    centres.assign(1, mean);
+    of.assign(normals.size(), 0);
   }
-  centres.resize(kept);
 }
 
 }

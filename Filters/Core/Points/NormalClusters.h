@@ -19,6 +19,10 @@ struct NormalClusterSettings
   double Angle = 0.5235987755982988; ///< no member may be farther from its centre, radians
   int Maximum = 3;                   ///< clusters
   int Rounds = 10;
+  /// Centres that are not this many times farther from one another than members are from theirs
+  /// (root mean square, chords) are no clusters; 0: all are. A disc of evenly spread normals cut in
+  /// two has 1.5, a line 3.5: that is how surfaces curve, edges have more.
+  double Separation = 4.0;
   bool Unoriented = false; ///< n and -n are the same
 };
 
@@ -34,7 +38,7 @@ struct NormalClusters
  * the largest dot product (of equal ones, the first), a centre is the normalised sum of its
  * members. It starts from the mean for one cluster; else from the member farthest from the mean,
  * the one farthest from that, the one farthest from both, and so on. Clusters that lose all members
- * are left out.
+ * are left out; if the others are not separated, all members are one cluster around their mean.
  *
  * Without orientation members count by |n . c| and are added with the sign that makes an acute
  * angle with the centre, in the first mean with side.
