@@ -21,6 +21,8 @@ fetch_plain_vtk "${XDG_CACHE_HOME:-$HOME/.cache}/surface-denoising/vtk-9.1" || e
 export CMAKE_GENERATOR=Ninja
 if command -v ccache >/dev/null; then
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  # What was compiled in another clone serves here too.
+  export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
 fi
 common=(-DPython3_EXECUTABLE=/usr/bin/python3)
 plain=("${common[@]}" -DSurfaceDenoising_WITH_PARAVIEW=OFF "-DCMAKE_PREFIX_PATH=$plain_vtk")
