@@ -16,16 +16,16 @@
  * On models with curved faces the published update throws points near edges away: planes of other
  * faces in the neighbourhood draw as much as those that meet at the edge, and the planes around a
  * curved edge all pass on its convex side, where points creep with every iteration. PlaneScale, on
- * by default, lets only planes count that pass near the point; 0 is what the paper has. The paper's
- * other numbers are those of the defaults of AsReleased: balls of 7.5 spacings, 50 iterations, own
- * heights.
+ * by default, lets only planes count that pass near the point; 0 is what the paper has. Its other
+ * numbers are balls of 7.5 spacings, 50 iterations, own heights and a limit of 3 spacings; those
+ * make facets of curved surfaces, so that the defaults are smaller.
  *
  * With AsReleased the filter computes exactly what the authors' program does, slips included:
  * points move one after the other, the result depends on their order and on the size of the model.
  * All settings that have no counterpart there are ignored; NumberOfOuterIterations, AngleThreshold,
- * EigenvalueThreshold, Damping, Step count, and MaximumDisplacement does in units of the mean
- * distance of the 12 nearest points (0: 2 of them, as the program). Points that are not finite are
- * left out.
+ * EigenvalueThreshold, Damping and Step count (the program makes 50 iterations), and
+ * MaximumDisplacement does in units of the mean distance of the 12 nearest points (0: 2 of them, as
+ * the program). Points that are not finite are left out.
  */
 
 #ifndef vtkVotingTensorPointFilter_h
@@ -82,7 +82,7 @@ public:
   ///@}
 
   ///@{
-  /// Which heights points of faces move by, one of HeightModes. Default OWN_HEIGHT.
+  /// Which heights points of faces move by, one of HeightModes. Default BALANCED_HEIGHT.
   vtkSetClampMacro(HeightMode, int, OWN_HEIGHT, BALANCED_HEIGHT);
   vtkGetMacro(HeightMode, int);
   void SetHeightModeToOwnHeight() { this->SetHeightMode(OWN_HEIGHT); }

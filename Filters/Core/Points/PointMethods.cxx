@@ -100,12 +100,16 @@ PointDenoisingSettings RollingPointNormal()
   return s;
 }
 
+/// Smaller balls and fewer iterations than in the paper, which make facets of curved surfaces, and
+/// balanced heights, which do not shrink them.
 PointDenoisingSettings VotingTensorPoint()
 {
-  PointDenoisingSettings s = Ball(7.4, 50); // five times the mean distance of the 12 nearest
+  PointDenoisingSettings s = Ball(3.0, 20);
   s.RenewNeighborhood = false;
-  s.MaximumDisplacement = 3.0;
-  s.Operator = VotingTensorPointsSettings();
+  s.MaximumDisplacement = 2.0;
+  VotingTensorPointsSettings v;
+  v.FlatScheme = PointScheme::BalancedHeight;
+  s.Operator = v;
   return s;
 }
 
