@@ -140,15 +140,21 @@ POINT_METHODS = [
     }),
     Method("RobustImplicitMLSFilter", "Robust implicit MLS", "Oztireli, Guennebaud, Gross 2009", {
         "default": {},
+        "cad": {"FilterScale": 4.0, "NormalScale": 0.5},
+        "organic": {"NormalScale": 0.5},
     }),
     Method("MovingRobustPCAFilter", "Moving robust PCA", "Mattei, Castrodad 2017", {
         "default": {},
+        "organic": {"NormalAngle": 35.0, "NumberOfOuterIterations": 1},
     }),
     Method("FeatureAwarePointFilter", "Feature-aware point", "Li 2009", {
         "default": {},
+        "cad": {"FeatureSharpening": 0.9, "NumberOfOuterIterations": 5},
     }),
     Method("TensorPointFilter", "Tensor point", "Park, Lee, Jang, Lee, Lee 2013", {
         "default": {},
+        "cad": {"FeatureThreshold": 0.5},
+        "organic": {"FeatureThreshold": 0.5, "NumberOfOuterIterations": 2},
     }),
     Method("BilateralPointFilter", "Bilateral point", "Digne, de Franchis 2017", {
         "default": {},
@@ -156,13 +162,19 @@ POINT_METHODS = [
     }),
     Method("RollingPointNormalFilter", "Rolling point normal", "Zheng, Li, Xu, Wu, Nie 2018", {
         "default": {},
+        "cad": {"SpatialScale": 2.0, "NumberOfRolls": 6, "NumberOfPointIterations": 5},
+        "organic": {"NumberOfRolls": 2, "NumberOfPointIterations": 3},
     }),
     Method("MovingLeastSquaresFilter", "Moving least squares",
            "Alexa, Behr, Cohen-Or, Fleishman, Levin, Silva 2003", {
                "default": {},
+               "cad": {"NumberOfOuterIterations": 2},
+               "organic": {"NumberOfOuterIterations": 2},
            }),
     Method("GuidedPointNormalFilter", "Guided point normal", "Zheng, Li, Wu, Liu, Gao 2017", {
         "default": {},
+        "organic": {"RangeScale": 0.5, "NumberOfNormalIterations": 1,
+                    "NumberOfPointIterations": 3},
     }),
     Method("VotingTensorPointFilter", "Voting tensor point",
            "Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier 2018", {
