@@ -140,7 +140,7 @@ BundleNodes MakeBundles(const PointSet& points, const Buffer<unsigned char>& fea
     }
   }
   Buffer<Vec3> bundles(listed.size() * most);
-  Buffer<Index> sizes(listed.size());
+  Buffer<Index> sizes(listed.size(), 1); // of loops that were stopped as well
   execution.For(
     listed.size(),
     [&](std::size_t begin, std::size_t end)
