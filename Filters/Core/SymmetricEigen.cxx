@@ -64,6 +64,12 @@ LeastAxis FindLeastAxis(const Mat3& matrix)
   constexpr double separation = 1e-4;
   constexpr double accuracy = 2e-15;
   const double trace = matrix.trace();
+  if (!(trace > 1e-60 && trace < 1e60) && trace > 0.0 && std::isfinite(trace))
+  {
+    // Products of three are no numbers.
+    const LeastAxis system = FindLeastAxis(matrix / trace);
+    return { system.Values * trace, system.Vector };
+  }
   const double p = matrix(1, 0);
   const double q = matrix(2, 0);
   const double r = matrix(2, 1);
