@@ -159,7 +159,7 @@ void TestPrint(int& failures)
     { "NormalSource: 0", "NumberOfThreads: 0", "MeanSpacing: 0", "Neighborhood: 1",
       "PositionScheme: 3", "Preset: Bilateral Point", "Preset: Custom", "RangeScale: 0.35",
       "Norm: Gaussian", "HeightScale: 1", "NormalAngle: 22.5", "FilterScale: 3", "LeastAngle: 2",
-      "BundleAngle: 30", "NumberOfRolls: 4", "Degree: 2", "MinimumRegionSize: 5" })
+      "BundleAngle: 30", "NumberOfRolls: 4", "Degree: 2", "MinimumRegionSize: 5", "AsReleased: 1" })
   {
     CHECK(text.str().find(name) != std::string::npos);
   }
