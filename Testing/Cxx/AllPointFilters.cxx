@@ -9,6 +9,7 @@
 #include "vtkRobustImplicitMLSFilter.h"
 #include "vtkRobustPointNormalFilter.h"
 #include "vtkRollingPointNormalFilter.h"
+#include "vtkVotingTensorPointFilter.h"
 
 #include <algorithm>
 #include <set>
@@ -21,6 +22,7 @@ namespace
 
 using Methods = vtkPointDenoisingMethods;
 using Robust = vtkRobustPointNormalFilter;
+using Voting = vtkVotingTensorPointFilter;
 
 unsigned TraitsOf(const std::string& method)
 {
@@ -53,12 +55,9 @@ std::vector<PointFilter> MakeList()
   for (int i = 0; i < Methods::GetNumberOfMethods(); ++i)
   {
     const std::string name = Methods::GetName(i);
-    if (IsReady(name))
-    {
-      auto make = [i]
-      { return vtkSmartPointer<vtkPointDenoisingFilter>::Take(Methods::NewFilter(i)); };
-      all.push_back({ name, name, make, TraitsOf(name) });
-    }
+    auto make = [i]
+    { return vtkSmartPointer<vtkPointDenoisingFilter>::Take(Methods::NewFilter(i)); };
+    all.push_back({ name, name, make, TraitsOf(name) });
   }
   for (int preset = Robust::CUSTOM + 1; preset < Robust::GetNumberOfPresets(); ++preset)
   {
@@ -98,6 +97,8 @@ std::vector<PointFilter> MakeList()
       f->SetOperatorToPlaneNormal();
       f->SetPositionSchemeToNeighborHeight();
     }));
+  all.push_back(Entry<Voting>("Voting Tensor as Released", TELLS_CLASSES | AS_RELEASED,
+    [](Voting* f) { f->AsReleasedOn(); }));
   // Any normals will do in most tests.
   all.push_back(Entry<vtkNormalPointUpdate>("Normal Point Update", 0,
     [](vtkNormalPointUpdate* f) { f->SetNormalSourceToAutomatic(); }));
@@ -105,9 +106,6 @@ std::vector<PointFilter> MakeList()
 }
 
 }
-
-// Take this function and its calls away as soon as all methods work.
-bool IsReady(const std::string& method) { return method != "Voting Tensor Point"; }
 
 vtkSmartPointer<vtkPointDenoisingFilter> PointFilter::Make() const
 {
@@ -162,6 +160,10 @@ void IgnoreSigns(vtkPointDenoisingFilter* filter)
   else if (auto* rolling = vtkRollingPointNormalFilter::SafeDownCast(filter))
   {
     rolling->UnorientedNormalsOn();
+  }
+  else if (auto* voting = Voting::SafeDownCast(filter))
+  {
+    voting->UnorientedNormalsOn();
   }
 }
 

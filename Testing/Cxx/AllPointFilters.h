@@ -38,7 +38,10 @@ enum Trait : unsigned
   NEEDS_NOISE = 16,
   /// It takes curved surfaces of few points for features, and makes facets of them. Points may get
   /// the normal of another one, which may be on the other side.
-  MAKES_FACETS = 32
+  MAKES_FACETS = 32,
+  /// It reproduces the program of others: points move one after the other, so that the result
+  /// depends on their order and on the size of the model, and normals come from fits of its own.
+  AS_RELEASED = 64
 };
 
 struct PointFilter
@@ -55,9 +58,6 @@ struct PointFilter
 };
 
 const std::vector<PointFilter>& AllPointFilters();
-
-/// False for a row of the table of methods that cannot be tested yet.
-bool IsReady(const std::string& method);
 
 /// Leaves a filter no more than so many iterations of each kind.
 void LimitIterations(vtkPointDenoisingFilter* filter, int limit);

@@ -73,6 +73,7 @@ void TestNormalSettings(int& failures)
 template <typename Filter>
 void TestNeighborhoodSettings(int& failures)
 {
+  const bool renew = vtkSmartPointer<Filter>::New()->GetRenewNeighborhood();
   Changes<Filter> nearest(
     [](Filter* f)
     {
@@ -82,7 +83,7 @@ void TestNeighborhoodSettings(int& failures)
     Cloud());
   CHECK(nearest([](Filter* f) { f->SetNeighborhoodToBall(); }));
   CHECK(nearest([](Filter* f) { f->SetNumberOfNeighbors(12); }));
-  CHECK(nearest([](Filter* f) { f->RenewNeighborhoodOff(); }));
+  CHECK(nearest([=](Filter* f) { f->SetRenewNeighborhood(!renew); }));
   CHECK(!nearest([](Filter* f) { f->SetRadius(2.0); }));
   Changes<Filter> ball(
     [](Filter* f)
@@ -93,7 +94,7 @@ void TestNeighborhoodSettings(int& failures)
     Cloud());
   CHECK(ball([](Filter* f) { f->SetRadius(2.0); }));
   CHECK(ball([](Filter* f) { f->SetMaximumNumberOfNeighbors(9); }));
-  CHECK(ball([](Filter* f) { f->RenewNeighborhoodOff(); }));
+  CHECK(ball([=](Filter* f) { f->SetRenewNeighborhood(!renew); }));
   CHECK(!ball([](Filter* f) { f->SetNumberOfNeighbors(12); }));
 }
 

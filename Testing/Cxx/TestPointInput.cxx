@@ -49,7 +49,7 @@ void TestFewPoints(const PointFilter& about, int& failures)
     }
     auto cloud = MakeCloud(points);
     CHECK(test.Quiet(cloud));
-    if (count <= 3)
+    if (count <= 3 && !about.Is(AS_RELEASED))
     {
       vtkPolyData* output = test.Denoise(cloud);
       CHECK(SameArray(CoordinatesOf(cloud), CoordinatesOf(output)));
@@ -67,7 +67,8 @@ void TestFlatShapes(const PointFilter& about, int& failures)
   // All at one place.
   auto equal = MakeCloud(Places(50, { 1.0, 2.0, 3.0 }));
   CHECK(test.Quiet(equal) && PointDistance(equal, test.Denoise(equal)) == 0.0);
-  CHECK(CountStatus(test.Filter->GetOutput(), vtkPointDenoisingFilter::KEPT) == 50);
+  CHECK(about.Is(AS_RELEASED) ||
+    CountStatus(test.Filter->GetOutput(), vtkPointDenoisingFilter::KEPT) == 50);
 
   Places line;
   Places plane;
@@ -156,13 +157,17 @@ void TestOutliers(const PointFilter& about, int& failures)
   CHECK(test.Quiet(cloud));
   auto output = Copy(test.Denoise(cloud));
   output->GetPoints()->SetNumberOfPoints(count);
-  CHECK(Roughness(output) < 0.95 * before);
+  CHECK(about.Is(AS_RELEASED) || Roughness(output) < 0.95 * before);
 }
 
 /// From atoms to galaxies, and further than anybody goes: the result is finite, and where squares
 /// of areas are numbers it is the same as for size 1.
 void TestSizes(const PointFilter& about, int& failures)
 {
+  if (about.Is(AS_RELEASED))
+  {
+    return;
+  }
   PointFilterTester test(about);
   auto cloud = SphereCloud(300);
   auto expected = Copy(test.Denoise(cloud));
@@ -253,14 +258,15 @@ void TestCells(const PointFilter& about, int& failures)
   CHECK(test.Quiet(lines) && SameResult(expected, test.Filter->GetOutput()));
 
   // Polygons tell where outside is, and nothing else.
+  const double much = about.Is(AS_RELEASED) ? 1.0 : 1e-9;
   for (vtkPolyData* surface : { mesh.Get(), strips.Get() })
   {
     CHECK(test.Quiet(surface));
-    CHECK(PointDistance(expected, test.Filter->GetOutput()) < 1e-9);
+    CHECK(PointDistance(expected, test.Filter->GetOutput()) < much);
     surface->SetVerts(vertices->GetVerts());
     surface->SetLines(curves);
     CHECK(test.Quiet(surface));
-    CHECK(PointDistance(expected, test.Filter->GetOutput()) < 1e-9);
+    CHECK(PointDistance(expected, test.Filter->GetOutput()) < much);
   }
 }
 

@@ -85,6 +85,10 @@ void TestDataPassThrough(const PointFilter& about, int& failures)
 
 void TestReport(const PointFilter& about, int& failures)
 {
+  if (about.Is(AS_RELEASED))
+  {
+    return;
+  }
   auto cloud = SphereCloud();
   cloud->GetPoints()->InsertNextPoint(vtkMath::Nan(), 0.0, 0.0);
   PointFilterTester test(about);

@@ -14,6 +14,7 @@
 #include "vtkRobustImplicitMLSFilter.h"
 #include "vtkRollingPointNormalFilter.h"
 #include "vtkTensorPointFilter.h"
+#include "vtkVotingTensorPointFilter.h"
 
 #include <cstdlib>
 
@@ -47,7 +48,7 @@ void TestSimpleMethods(int& failures)
   CHECK(squares([](Squares* f) { f->LocalScaleOn(); }));
   CHECK(squares([](Squares* f) { f->SetDegree(0); }));
   CHECK(squares([](Squares* f) { f->SetDegree(1); }));
-  CHECK(squares([](Squares* f) { f->SetNumberOfPlaneFits(1); }));
+  CHECK(squares([](Squares* f) { f->SetNumberOfPlaneFits(4); }));
 
   using Rolling = vtkRollingPointNormalFilter;
   TestCommonSettings<Rolling>(failures);
@@ -110,6 +111,8 @@ void TestRobustMethods(int& failures)
   CHECK(tensor([](Tensor* f) { f->SetRange(3.0); }));
   CHECK(tensor([](Tensor* f) { f->SetBendFactor(3.0); }));
   CHECK(tensor([](Tensor* f) { f->SetFeatureThreshold(0.3); }));
+  CHECK(tensor([](Tensor* f) { f->SetFeatureContrast(0.0); }));
+  CHECK(tensor([](Tensor* f) { f->SetFeatureContrast(3.0); }));
   CHECK(tensor([](Tensor* f) { f->SetRegionThreshold(0.8); }));
   CHECK(tensor([](Tensor* f) { f->SetMinimumRegionSize(20); }));
   CHECK(tensor([](Tensor* f) { f->QuadricAtFeaturesOn(); }));
@@ -133,11 +136,49 @@ void TestGuided(int& failures)
   CHECK(guided([](Guided* f) { f->UseSkeletonOn(); }));
   CHECK(guided([](Guided* f) { f->SetBundleAngle(60.0); }));
   CHECK(guided([](Guided* f) { f->SetMaximumNumberOfNormals(1); }));
-  CHECK(guided([](Guided* f) { f->SetNumberOfPatchNeighbors(6); }));
+  CHECK(guided([](Guided* f) { f->SetBundleReach(0.3); }));
+  CHECK(guided([](Guided* f) { f->SetBundleReach(0.0); }));
+  CHECK(guided([](Guided* f) { f->SetFeaturePull(1.0); }));
+  CHECK(guided([](Guided* f) { f->SetNumberOfPatchNeighbors(10); }));
   Changes<Guided> skeleton([](Guided* f) { f->UseSkeletonOn(); }, Cloud());
   CHECK(skeleton([](Guided* f) { f->SetSkeletonRadius(1.0); }));
   Changes<Guided> signs([](Guided* f) { f->SetNormalOrientationToKeep(); }, CloudWithNormals());
   CHECK(signs([](Guided* f) { f->UnorientedNormalsOn(); }));
+}
+
+void TestVotingTensor(int& failures)
+{
+  using Voting = vtkVotingTensorPointFilter;
+  TestCommonSettings<Voting>(failures);
+  TestNormalSettings<Voting>(failures);
+  TestNeighborhoodSettings<Voting>(failures);
+  Changes<Voting> voting(nullptr, Cloud());
+  CHECK(voting([](Voting* f) { f->SetAngleThreshold(40.0); }));
+  CHECK(voting([](Voting* f) { f->SetEigenvalueThreshold(0.1); }));
+  CHECK(voting([](Voting* f) { f->SetDamping(1.0); }));
+  CHECK(voting([](Voting* f) { f->SetStep(0.5); }));
+  CHECK(voting([](Voting* f) { f->SetPlaneScale(0.3); }));
+  CHECK(voting([](Voting* f) { f->SetPlaneScale(0.0); }));
+  CHECK(voting([](Voting* f) { f->SetHeightModeToOwnHeight(); }));
+  CHECK(voting([](Voting* f) { f->SetNormalScale(0.6); }));
+  CHECK(voting([](Voting* f) { f->SetSpatialScale(3.0); }));
+  CHECK(voting([](Voting* f) { f->SetEigenvalueCut(0.5); }));
+  CHECK(voting([](Voting* f) { f->LocalScaleOn(); }));
+  CHECK(voting([](Voting* f) { f->AsReleasedOn(); }));
+  Changes<Voting> signs([](Voting* f) { f->SetNormalOrientationToKeep(); }, CloudWithNormals());
+  CHECK(signs([](Voting* f) { f->UnorientedNormalsOn(); }));
+
+  Changes<Voting> released([](Voting* f) { f->AsReleasedOn(); }, Cloud());
+  CHECK(released([](Voting* f) { f->SetAngleThreshold(40.0); }));
+  CHECK(released([](Voting* f) { f->SetEigenvalueThreshold(0.1); }));
+  CHECK(released([](Voting* f) { f->SetDamping(1.0); }));
+  CHECK(released([](Voting* f) { f->SetStep(0.5); }));
+  CHECK(released([](Voting* f) { f->SetMaximumDisplacement(0.1); }));
+  CHECK(released([](Voting* f) { f->SetNumberOfOuterIterations(6); }));
+  // Of the others, its documentation says so.
+  CHECK(!released([](Voting* f) { f->SetRadius(3.0); }));
+  CHECK(!released([](Voting* f) { f->SetPlaneScale(0.0); }));
+  CHECK(!released([](Voting* f) { f->SetNormalSourceToPlaneFit(); }));
 }
 
 }
@@ -148,5 +189,6 @@ int TestPointSetters(int, char*[])
   TestSimpleMethods(failures);
   TestRobustMethods(failures);
   TestGuided(failures);
+  TestVotingTensor(failures);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
