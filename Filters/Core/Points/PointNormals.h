@@ -49,8 +49,9 @@ Buffer<Vec3> PlaneFitNormals(const Buffer<Vec3>& points, const NeighborGraph& ne
  * Sharpens the normals of plane fits at edges, where they bisect the faces: three rounds of a
  * robust plane fit (PlaneFit.h, residuals held at 1% of the spacing) to the same neighbours and the
  * point itself, weighted by exp(-(theta_ij / (pi / 8))^2) with the angle theta_ij between the
- * normals of the round before, whatever their signs. These are the first steps of moving robust PCA
- * (E. Mattei, A. Castrodad 2016). Returns false if the execution asked to stop.
+ * normals of the round before, whatever their signs; all count the same if hardly any does (see
+ * WeightedPatch). These are the first steps of moving robust PCA (E. Mattei, A. Castrodad 2016).
+ * Returns false if the execution asked to stop.
  */
 bool SharpenNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest, double spacing,
   Buffer<Vec3>& normals, Execution& execution, double first, double last);

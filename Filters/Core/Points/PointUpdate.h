@@ -17,7 +17,8 @@
  * where QuadricFit may be done in the cross-section of a line: the parts of n_j along the line are
  * left out, and the point stays where it is along it.
  *
- * Own heights pull curved surfaces inwards and those of neighbours push them outwards by the same
+ * A filter that includes the site itself adds w_ii to W_i and the own plane to A. Own heights pull
+ * curved surfaces inwards and those of neighbours push them outwards by the same
  * amount, so that balanced ones leave a sphere alone. The gradient is a step down the distances of
  * points from one another's planes.
  */
