@@ -7,9 +7,9 @@ import math
 import numpy
 from paraview.servermanager import Fetch
 from paraview.simple import Calculator, ConvertToPointCloud, Glyph, RobustPointNormalFilter
-from vtkmodules.vtkCommonCore import vtkFloatArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from sidebyside import Panel
 from surfaces import as_source, compare, displacements, positions, report
@@ -70,18 +70,51 @@ def short_error(quantities):
 
 def shown(cloud):
     """What a picture shows: discs at the points, across their normals, which are those of the cloud
-    or, if it has none, of fits. They overlap where points are not much farther apart than mean."""
+    or, if it has none, of fits. They are so large that neighbours overlap."""
     upright = RobustPointNormalFilter(Input=cloud, NumberOfOuterIterations=0,
                                       NormalOrientation="Keep")
-    stride = math.ceil(len(positions(cloud)) / MOST_DISCS)
-    discs = Glyph(Input=upright, GlyphType="2D Glyph", GlyphMode="Every Nth Point", Stride=stride,
-                  OrientationArray=["POINTS", "Normals"],
-                  ScaleArray=["POINTS", "No scale array"],
-                  ScaleFactor=2.0 * report(upright, "MeanSpacing") * math.sqrt(stride))
+    points = positions(upright)
+    finite = numpy.flatnonzero(numpy.isfinite(points).all(axis=1))
+    stride = math.ceil(len(finite) / MOST_DISCS)
+    picked = finite[::stride]
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(points[picked], deep=1))
+    arrays = Fetch(upright).GetPointData()
+    for name in ("Normals", "Shown"):
+        if arrays.HasArray(name):
+            add_array(data, name, vtk_to_numpy(arrays.GetArray(name))[picked])
+    # An outlier is no larger than others.
+    sizes = numpy.minimum(distances_to_neighbor(data, 6), 2.0 * report(upright, "MeanSpacing")
+                          * math.sqrt(stride))
+    add_array(data, "Size", sizes)
+    discs = Glyph(Input=points_of(as_source(data)), GlyphType="2D Glyph", GlyphMode="All Points",
+                  OrientationArray=["POINTS", "Normals"], ScaleArray=["POINTS", "Size"],
+                  ScaleFactor=1.4)
     discs.GlyphType.GlyphType = "Circle"
     discs.GlyphType.Filled = 1
     discs.GlyphTransform.Rotate = [0.0, 90.0, 0.0]  # the normal of the disc becomes its x axis
     return discs
+
+
+def add_array(data, name, values):
+    array = numpy_to_vtk(values, deep=1)
+    array.SetName(name)
+    data.GetPointData().AddArray(array)
+
+
+def distances_to_neighbor(data, which):
+    """Of every point the distance of its nearest one, if which is 1, or of a farther one."""
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(data)
+    locator.BuildLocator()
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    near = vtkIdList()
+    distances = numpy.zeros(len(points))
+    for i, point in enumerate(points):
+        locator.FindClosestNPoints(which + 1, point, near)  # the point itself is the first
+        distances[i] = numpy.linalg.norm(points[near.GetId(near.GetNumberOfIds() - 1)] - point)
+    return distances
 
 
 def demo_known(truth, noisy, denoised):
@@ -95,7 +128,7 @@ def demo_known(truth, noisy, denoised):
     return [Panel(shown(bare_points(truth)), "Original"),
             Panel(shown(noisy), "With noise: {} thousandths off".format(before)),
             Panel(shown(denoised), "Denoised: {} thousandths off".format(after)),
-            Panel(shown(left), "What is left", ("POINTS", "Shown"), float(before),
+            Panel(shown(left), "What is left", ("POINTS", "Shown"), rounded(2.0 * float(before)),
                   "Error in thousandths")], \
         [title.replace("\u00b0", "degrees") for title, *_ in WITH_TRUTH], rows
 
@@ -110,6 +143,11 @@ def demo_unknown(noisy, denoised):
                   max(found["MaximumDisplacement"], 1e-9), "Spacings")], \
         [title for title, *_ in WITHOUT_TRUTH], \
         [[number(factor * found[quantity], form) for _, quantity, factor, form in WITHOUT_TRUTH]]
+
+
+def rounded(number):
+    """The number with one digit, for the legend."""
+    return float("{:.0e}".format(number))
 
 
 def scaled(cloud, array, factor):

@@ -179,6 +179,7 @@ POINT_METHODS = [
     Method("VotingTensorPointFilter", "Voting tensor point",
            "Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier 2018", {
                "default": {},
+               "cad": {"NumberOfOuterIterations": 40},
            }),
 ]
 
