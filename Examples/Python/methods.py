@@ -135,51 +135,53 @@ METHODS = [
 POINT_METHODS = [
     Method("RobustPointNormalFilter", "Robust point normal", "composed", {
         "default": {},
-        "cad": {"RangeScale": 0.3, "NumberOfNormalIterations": 10},
-        "organic": {"RangeScale": 0.5, "NumberOfNormalIterations": 1, "NumberOfPointIterations": 3},
+        "cad": {"RangeScale": 0.15, "NumberOfNormalIterations": 10},
+        "organic": {"RangeScale": 0.5, "NumberOfNormalIterations": 1, "NumberOfPointIterations": 2},
     }),
     Method("RobustImplicitMLSFilter", "Robust implicit MLS", "Oztireli, Guennebaud, Gross 2009", {
         "default": {},
-        "cad": {"FilterScale": 4.0, "NormalScale": 0.5},
-        "organic": {"NormalScale": 0.5},
+        "cad": {"FilterScale": 4.0, "NormalScale": 0.3},
+        "organic": {"NormalScale": 0.3},
     }),
     Method("MovingRobustPCAFilter", "Moving robust PCA", "Mattei, Castrodad 2017", {
         "default": {},
-        "organic": {"NormalAngle": 35.0, "NumberOfOuterIterations": 1},
+        "cad": {"NumberOfOuterIterations": 3},
+        "organic": {"NumberOfOuterIterations": 1},
     }),
     Method("FeatureAwarePointFilter", "Feature-aware point", "Li 2009", {
         "default": {},
-        "cad": {"FeatureSharpening": 0.9, "NumberOfOuterIterations": 5},
+        "cad": {"FeatureSharpening": 0.9, "NumberOfOuterIterations": 8},
     }),
     Method("TensorPointFilter", "Tensor point", "Park, Lee, Jang, Lee, Lee 2013", {
         "default": {},
-        "cad": {"FeatureThreshold": 0.5},
-        "organic": {"FeatureThreshold": 0.5, "NumberOfOuterIterations": 2},
+        "cad": {"FeatureThreshold": 0.5, "NumberOfOuterIterations": 2},
+        "organic": {"FeatureThreshold": 0.7, "NumberOfOuterIterations": 1},
     }),
     Method("BilateralPointFilter", "Bilateral point", "Digne, de Franchis 2017", {
         "default": {},
-        "cad": {"HeightScale": 0.5, "NumberOfOuterIterations": 2},
+        "cad": {"HeightScale": 0.3, "NumberOfOuterIterations": 3},
+        "organic": {"HeightScale": 0.5},
     }),
     Method("RollingPointNormalFilter", "Rolling point normal", "Zheng, Li, Xu, Wu, Nie 2018", {
         "default": {},
-        "cad": {"SpatialScale": 2.0, "NumberOfRolls": 6, "NumberOfPointIterations": 5},
+        "cad": {"NumberOfRolls": 6},
         "organic": {"NumberOfRolls": 2, "NumberOfPointIterations": 3},
     }),
     Method("MovingLeastSquaresFilter", "Moving least squares",
            "Alexa, Behr, Cohen-Or, Fleishman, Levin, Silva 2003", {
                "default": {},
-               "cad": {"NumberOfOuterIterations": 2},
                "organic": {"NumberOfOuterIterations": 2},
            }),
     Method("GuidedPointNormalFilter", "Guided point normal", "Zheng, Li, Wu, Liu, Gao 2017", {
         "default": {},
+        "cad": {"RangeScale": 0.2},
         "organic": {"RangeScale": 0.5, "NumberOfNormalIterations": 1,
                     "NumberOfPointIterations": 3},
     }),
     Method("VotingTensorPointFilter", "Voting tensor point",
            "Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier 2018", {
                "default": {},
-               "cad": {"NumberOfOuterIterations": 40},
+               "cad": {"NumberOfOuterIterations": 30},
            }),
 ]
 
