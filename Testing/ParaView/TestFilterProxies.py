@@ -4,14 +4,16 @@
 
 from paraview import servermanager, simple
 from paraview.simple import (AnisotropicMeanCurvatureFilter, BilateralNormalFilter,
-                             MeanCurvatureFlowFilter, NormalVertexUpdate, OpenDataFile,
-                             PointSource, RobustNormalFilter, Sphere, SurfaceComparison,
-                             SurfaceNoise)
+                             MaskPoints, MeanCurvatureFlowFilter, NormalPointUpdate,
+                             NormalVertexUpdate, OpenDataFile, PointSource, RobustNormalFilter,
+                             RobustPointNormalFilter, Sphere, SurfaceComparison, SurfaceNoise)
 from paraview.servermanager import Fetch
 from surfacedenoising import vtkDenoisingMethods as methods
+from surfacedenoising import vtkPointDenoisingMethods as point_methods
 
-# What is in the menu beside the filters that denoise.
-OTHERS = {"NormalVertexUpdate", "SurfaceComparison", "SurfaceNoise"}
+# What is in the menu beside the filters of the tables of methods.
+OTHERS = {"NormalPointUpdate", "NormalVertexUpdate", "RobustPointNormalFilter",
+          "SurfaceComparison", "SurfaceNoise"}
 
 
 def write_cube(name, n):
@@ -63,10 +65,18 @@ def menu():
         iterator.GoToNextItem()
 
 
+def names_of_filters(table):
+    return {table.GetFilter(i) for i in range(table.GetNumberOfMethods())}
+
+
+def check_menu():
+    everything = names_of_filters(methods) | names_of_filters(point_methods) | OTHERS
+    assert everything == set(menu()), everything.symmetric_difference(set(menu()))
+
+
 def check_all_methods(noisy, truth, before):
     """Each makes the surface better, with its defaults and as a preset."""
-    filters = {methods.GetFilter(i) for i in range(methods.GetNumberOfMethods())}
-    assert filters == set(menu()) - OTHERS, filters.symmetric_difference(set(menu()) - OTHERS)
+    filters = names_of_filters(methods)
     results = [getattr(simple, name)(Input=noisy) for name in sorted(filters)]
     results += [RobustNormalFilter(Input=noisy, Preset=methods.GetName(i))
                 for i in range(methods.GetNumberOfMethods()) if methods.IsComposed(i)]
@@ -92,6 +102,43 @@ def check_cloud(truth):
         comparison = SurfaceComparison(Input=cloud, Reference=reference)
         assert (information(comparison, "MeanDistance") == 0.0) == (reference is cloud)
         assert information(comparison, "SpacingVariation") > 0.0
+
+
+def check_point_methods(truth):
+    """Each brings a cloud closer to the truth, with its defaults and as a preset."""
+    noisy = SurfaceNoise(Input=truth, NoiseType="Gaussian", Direction="Random", Size=0.3)
+    cloud = MaskPoints(Input=noisy, OnRatio=1, MaximumNumberofPoints=10 ** 6, GenerateVertices=1,
+                       SingleVertexPerCell=1)
+
+    def distance(data):
+        return information(SurfaceComparison(Input=data, Reference=truth), "MeanDistance")
+
+    before = distance(cloud)
+    assert before > 0.0 and len(Fetch(cloud).GetPointData().GetArray(0).GetName()) > 0
+    results = [getattr(simple, name)(Input=cloud)
+               for name in sorted(names_of_filters(point_methods))]
+    results += [RobustPointNormalFilter(Input=cloud),
+                RobustPointNormalFilter(Input=cloud, Operator="Plane Normal")]
+    results += [RobustPointNormalFilter(Input=cloud, Preset=point_methods.GetName(i))
+                for i in range(point_methods.GetNumberOfMethods()) if point_methods.IsComposed(i)]
+    for result in results:
+        after = distance(result)
+        assert after < 0.8 * before, (result.GetXMLName(), before, after)
+        assert information(result, "MeanSpacing") > 0.0
+        for name in ("Normals", "Displacement", "Status"):
+            assert name in result.PointData.keys(), (result.GetXMLName(), name)
+        assert "DenoisingReport" in result.FieldData.keys(), result.GetXMLName()
+
+    # Normals of one filter, and the update alone.
+    normals = RobustPointNormalFilter(Input=cloud, NumberOfPointIterations=0)
+    both = NormalPointUpdate(Input=normals)
+    assert both.NormalSource == "Input" and list(both.StartNormals) == ["POINTS", "None"], (
+        both.NormalSource, both.StartNormals)
+    whole = RobustPointNormalFilter(Input=cloud)
+    difference = information(SurfaceComparison(Input=both, Reference=whole), "MeanDistance")
+    assert difference < 1e-6, difference
+    named = NormalPointUpdate(Input=normals, StartNormals=["POINTS", "Normals"])
+    assert distance(named) == distance(both)
 
 
 def check(truth):
@@ -142,7 +189,9 @@ def check(truth):
     check_quantities(comparison, table)
 
 
+check_menu()
 check(Sphere(ThetaResolution=40, PhiResolution=40))
+check_point_methods(Sphere(ThetaResolution=64, PhiResolution=64))
 check_cloud(Sphere(ThetaResolution=40, PhiResolution=40))
 write_cube("cube.off", 12)
 check(OpenDataFile("cube.off"))

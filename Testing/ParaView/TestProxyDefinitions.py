@@ -3,12 +3,18 @@
 """What the XML of the plugin says agrees with the classes: names, settings, defaults and texts."""
 
 import inspect
+import re
 
 import surfacedenoising
 from paraview import make_name_valid, servermanager
 from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 
 problems = []
+
+# Classes whose proxies are not in the menu, but tell what others share.
+BASES = {"vtkMeshDenoisingFilter", "vtkFaceNormalFilter", "vtkNormalFittingFilter",
+         "vtkOneStageFilter", "vtkPointDenoisingFilter", "vtkPointNeighborhoodFilter",
+         "vtkPointFittingFilter"}
 
 
 def expect(condition, *message):
@@ -26,6 +32,13 @@ def concrete_filters():
                 pass  # abstract
 
 
+def bases(cls):
+    """The abstract classes of the package that a class is made of."""
+    for base in cls.__mro__[1:]:
+        if getattr(surfacedenoising, base.__name__, None) is base:
+            yield base
+
+
 def properties(proxy):
     iterator = proxy.NewPropertyIterator()
     iterator.UnRegister(None)
@@ -39,6 +52,16 @@ def settings(vtk_object):
     """Names X of all pairs SetX, GetX that the classes of the project add."""
     added = set(dir(vtk_object)) - set(dir(vtkPolyDataAlgorithm))
     return {name[3:] for name in added if name.startswith("Set") and "G" + name[1:] in added}
+
+
+def enumerators(cls):
+    """Of the class and its bases, without a name that hides another: it would be wrong in one."""
+    found = {}
+    for part in cls.__mro__:
+        for name, value in vars(part).items():
+            if isinstance(value, int):
+                expect(found.setdefault(name, value) == value, cls.__name__, name, "hides another")
+    return found
 
 
 def normalized(text):
@@ -76,16 +99,16 @@ def check_panel(name, proxy):
 def check_enumeration(where, name, domain, vtk_object):
     entries = {domain.GetEntryText(i): domain.GetEntryValue(i)
                for i in range(domain.GetNumberOfEntries())}
-    if name == "Norm":
+    if name.endswith("Norm"):
         names = {vtk_object.GetNormName(i): i for i in range(vtk_object.GetNumberOfNorms())}
         expect(entries == names, where, "the dropdown has", entries, "the class", names)
         return
-    constants = {normalized(attribute): getattr(vtk_object, attribute)
-                 for attribute in dir(type(vtk_object))
-                 if isinstance(getattr(type(vtk_object), attribute), int)}
+    constants = {normalized(key): value for key, value in enumerators(type(vtk_object)).items()}
     for text, value in entries.items():
-        expect(constants.get(normalized(text)) == value, where, text, "is no enumerator of value",
-               value)
+        # Where two settings have a choice of the same name, the setting is part of the enumerator.
+        kind = re.sub(".*(?=[A-Z])", "", name)
+        found = constants.get(normalized(text + kind), constants.get(normalized(text)))
+        expect(found == value, where, text, "is no enumerator of value", value)
     # The setters clamp: what is left of a huge value is the last enumerator.
     default = getattr(vtk_object, "Get" + name)()
     getattr(vtk_object, "Set" + name)(10 ** 6)
@@ -114,9 +137,22 @@ def check_property(where, name, prop, vtk_object):
         check_enumeration(where, name, domain, vtk_object)
 
 
+def check_base(cls, proxy):
+    """The proxy of an abstract class has the settings of this class and of its bases."""
+    name = proxy.GetXMLName()
+    expect(proxy.GetVTKClassName() == cls.__name__, name, "is of another class")
+    expect((proxy.GetDocumentation().GetDescription() or "").strip(), name, "no documentation")
+    found = dict(properties(proxy))
+    missing = settings(cls) - set(found)
+    expect(not missing, name, "settings that the XML lacks", sorted(missing))
+    for key, prop in found.items():
+        expect(hasattr(cls, prop.GetCommand()), name, key, "no method", prop.GetCommand())
+    check_panel(name, proxy)
+
+
 servermanager.Connect()
 manager = servermanager.ProxyManager()
-checked = 0
+checked, checked_bases = 0, set()
 for filter_name, filter_object in concrete_filters():
     prototype = manager.GetPrototypeProxy("filters", filter_name)
     if not prototype:
@@ -130,6 +166,13 @@ for filter_name, filter_object in concrete_filters():
     missing = settings(filter_object) - set(found)
     expect(not missing, filter_name, "settings that the XML lacks", sorted(missing))
     checked += 1
+    for base_class in bases(type(filter_object)):
+        base_proxy = manager.GetPrototypeProxy(
+            "internal_filters", base_class.__name__[len("vtk"):] + "Base")
+        if base_proxy:
+            check_base(base_class, base_proxy)
+            checked_bases.add(base_class.__name__)
 
-assert checked >= 5, "only {} filters were found".format(checked)
+assert checked >= 25, "only {} filters were found".format(checked)
+expect(checked_bases >= BASES, "no proxy of", sorted(BASES - checked_bases))
 assert not problems, "\n" + "\n".join(problems)

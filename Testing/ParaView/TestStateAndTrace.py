@@ -20,6 +20,12 @@ FILTERS = {
         "AsReleased": 1, "NumberOfOuterIterations": 7, "Relaxation": 0.1},
     "GeometricFidelityNormalFilter": {"CurvatureType": "Edge", "FidelityWeight": 0.05},
     "MeanCurvatureFlowFilter": {"TimeStep": 0.07, "RestoreVolume": 1},
+    "RobustPointNormalFilter": {
+        "Norm": "Tukey", "Argument": "Angle", "RangeScale": 55.0, "Operator": "Voting Tensor",
+        "NormalSource": "Plane Fit", "PositionScheme": "Quadric Fit", "PositionNorm": "Huber"},
+    "MovingRobustPCAFilter": {
+        "NormalAngle": 30.0, "Neighborhood": "Ball", "Radius": 2.5, "NumberOfOuterIterations": 2},
+    "GuidedPointNormalFilter": {"UseSkeleton": 1, "NormalOrientation": "Spanning Tree"},
 }
 
 

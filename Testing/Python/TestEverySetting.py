@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """No setting is accepted and then ignored: every one that a class of the package has, found by
-looking at the class, changes its output, by itself or in one of the contexts below."""
+looking at the class, changes its output, by itself or in one of the contexts below. Numbers keep to
+the range of their setter."""
 
 import inspect
+import sys
 
 import numpy
 import surfacedenoising
@@ -15,18 +17,19 @@ from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 # Settings that change no output, with the reason.
 EXCEPTIONS = {
     "NumberOfThreads": "results are the same on any number of threads",
+    "vtkFeatureAwarePointFilter.LocalScale": "all widths of the method are local anyway",
 }
+
+# Numbers of which all are allowed, or that are checked when they are used.
+NO_RANGE = {"Seed", "vtkRobustNormalFilter.RangeScale"}
 
 # What a setting needs beside it to matter, by the setting or by class and setting. Others are tried
 # with the defaults, which these are changes of.
 CONTEXTS = {
-    "Relaxation": [{"VertexScheme": 4}],
-    "PreventFlips": [{"NumberOfVertexIterations": 20}],
     "vtkCurvatureNormalDiffusionFilter.PreventFlips": [
         {"NumberOfVertexIterations": 20, "RangeScale": 10.0}],
     "vtkGeometricFidelityNormalFilter.PreventFlips": [
         {"NumberOfVertexIterations": 20, "RangeScale": 10.0}],
-    "MaximumDisplacement": [{"NumberOfVertexIterations": 20}],
     "vtkBilateralNormalFilter.Fidelity": [{"Scheme": 1}],
     "vtkBilateralNormalFilter.AreaEnergy": [{"Scheme": 1}],
     "EdgeRepetitions": [{"MedianType": 1}],
@@ -41,6 +44,28 @@ CONTEXTS = {
     "vtkRobustNormalFilter.Fidelity": [{"Operator": 2}],
     "vtkRobustNormalFilter.AreaEnergy": [{"Operator": 2}],
     "Fraction": [{"NoiseType": 2}],
+    "vtkRobustPointNormalFilter.StepLength": [{"Operator": 1}],
+    "SkeletonRadius": [{"UseSkeleton": 1}],
+    "vtkRobustPointNormalFilter.EigenvalueCut": [{"PositionScheme": 4}],
+    "vtkNormalPointUpdate.EigenvalueCut": [{"PositionScheme": 4}],
+}
+
+# The same for filters of surfaces with faces.
+MESH_CONTEXTS = {
+    "Relaxation": [{"VertexScheme": 4}],
+    "PreventFlips": [{"NumberOfVertexIterations": 20}],
+    "MaximumDisplacement": [{"NumberOfVertexIterations": 20}],
+}
+
+# The same for filters of point sets.
+POINT_CONTEXTS = {
+    "NumberOfNeighbors": [{"Neighborhood": 0}],
+    "Radius": [{"Neighborhood": 1}],
+    "MaximumNumberOfNeighbors": [{"Neighborhood": 1}],
+    "RenewNeighborhood": [{"NumberOfOuterIterations": 2}],
+    "NumberOfNormalNeighbors": [{"NormalSource": 3}],
+    "UnorientedNormals": [{"NormalOrientation": 1}],
+    "vtkMovingLeastSquaresFilter.LocalScale": [{"Bandwidth": 2.0}],
 }
 
 # At most, for speed; presets have iterations of their own.
@@ -91,7 +116,21 @@ def octahedron(n, noise):
     return surface_of(points, triangles)
 
 
+def with_signs(surface):
+    """The surface with noisy normals of its points that point to either side."""
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    random = numpy.random.RandomState(7)
+    normals = points / numpy.linalg.norm(points, axis=1)[:, None]
+    normals += random.uniform(-0.3, 0.3, points.shape)
+    normals *= random.choice([-1.0, 1.0], len(points))[:, None]
+    array = numpy_to_vtk(normals, deep=1)
+    array.SetName("Normals")
+    surface.GetPointData().SetNormals(array)
+    return surface
+
+
 OPEN, FOLDED, CLOSED = roof(14, 0.25), roof(14, 0.9), octahedron(7, 0.2)
+SIGNED = with_signs(octahedron(7, 0.2))
 
 
 def concrete_filters():
@@ -127,7 +166,7 @@ def other_values(cls, name, value):
         put(trial, name, 10 ** 6)  # setters clamp
         last = get(trial, name)
         return [i for i in range(last + 1) if i != value] if last < 100 else \
-            [value + 1, value + 4, max(0, value - 1)]
+            [i for i in (value + 1, value * 4, max(0, value - 1), value // 4, 5) if i != value]
     return [value * 1.3 + 0.01, value * 0.6, value * 3.0, 0.1, 1.0, 20.0]
 
 
@@ -184,10 +223,32 @@ def tells_pipeline(cls, name, value):
     assert (trial.GetMTime() > before[1]) == changed, (cls.__name__, name, value)
 
 
+def keeps_range(cls, name, value):
+    """Numbers beyond the range of a setter become its ends; there is no number without a range."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return True
+    trial = cls()
+    low, high = (getattr(trial, "Get{}{}Value".format(name, end), None) for end in ("Min", "Max"))
+    if not low:
+        return False
+    for beyond, end in ((low() - 1, low()), (min(high() * 2, sys.float_info.max), high())):
+        if isinstance(value, int) and not -2 ** 31 <= beyond < 2 ** 31:
+            continue
+        put(trial, name, beyond)
+        if get(trial, name) != end:
+            return False
+    return True
+
+
 def matters(cls, name, value):
     """True if another value of the setting changes what comes out, of any surface in any context."""
-    contexts = CONTEXTS.get("{}.{}".format(cls.__name__, name), CONTEXTS.get(name, [{}]))
-    for surface in (OPEN, FOLDED, CLOSED):
+    known = {**CONTEXTS, **MESH_CONTEXTS}
+    surfaces = [OPEN, FOLDED, CLOSED]
+    if issubclass(cls, surfacedenoising.vtkPointDenoisingFilter):
+        known = {**CONTEXTS, **POINT_CONTEXTS}
+        surfaces.append(SIGNED)
+    contexts = known.get("{}.{}".format(cls.__name__, name), known.get(name, [{}]))
+    for surface in surfaces:
         for context in contexts:
             before = run(cls, surface, {name: value, **context})
             for other in other_values(cls, name, value):
@@ -206,12 +267,16 @@ for class_name, filter_class, filter_object in concrete_filters():
     known.update(names, (class_name + "." + name for name in names))
     for setting in names:
         effect = matters(filter_class, setting, get(filter_object, setting))
-        if effect == (setting in EXCEPTIONS):
+        expected = setting not in EXCEPTIONS and class_name + "." + setting not in EXCEPTIONS
+        if not keeps_range(filter_class, setting, get(filter_object, setting)) and \
+                not NO_RANGE & {setting, class_name + "." + setting}:
+            problems.append("{}.{} has no range or leaves it".format(class_name, setting))
+        if effect != expected:
             problems.append("{}.{} {}".format(
                 class_name, setting, "matters" if effect else "makes no difference"))
         checked += 1
 
 problems += ["there is no setting " + name
-             for name in list(EXCEPTIONS) + list(CONTEXTS) if name not in known]
+             for name in [*EXCEPTIONS, *CONTEXTS, *MESH_CONTEXTS, *POINT_CONTEXTS] if name not in known]
 assert not problems, "\n" + "\n".join(problems)
-assert checked > 150, checked
+assert checked > 300, checked
