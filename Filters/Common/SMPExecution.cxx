@@ -36,8 +36,11 @@ void SMPExecution::For(std::size_t count, const Body& body, std::size_t grain)
 
 bool SMPExecution::Proceed(double fraction)
 {
-  this->Algorithm->UpdateProgress(this->First + (this->Last - this->First) * fraction);
-  this->Stopped = this->Stopped || Aborted(this->Algorithm);
+  if (!this->Stopped)
+  {
+    this->Algorithm->UpdateProgress(this->First + (this->Last - this->First) * fraction);
+    this->Stopped = Aborted(this->Algorithm);
+  }
   return !this->Stopped;
 }
 

@@ -13,7 +13,8 @@
  * a Gaussian of its distance from the plane of its surroundings (outliers attract nobody). The
  * survey gives the parts; how they combine is reconstructed.
  *
- * Needs no oriented normals.
+ * Needs no oriented normals. All widths are those of the surroundings, so that LocalScale has no
+ * effect.
  */
 
 #ifndef vtkFeatureAwarePointFilter_h

@@ -189,6 +189,20 @@ TEST(VotingPoints, EdgeInItsCrossSection)
   ExpectVector(TiltedWedge().Moved(AllAlike(), update), 0.026490, 0.500000, -0.009934);
 }
 
+TEST(VotingPoints, OwnPlaneInTheCrossSection)
+{
+  Star star = ExactWedge();
+  star.Normals[0] = Vec3(0.0, 0.6, 0.8);
+  NormalFilterSettings weights = AllAlike();
+  weights.IncludeOwn = true;
+  PointUpdateSettings update;
+  update.Scheme = PointScheme::QuadricFit;
+  const Buffer<Vec3> lines(7, Vec3(0.0, 1.0, 0.0));
+  update.Lines = &lines;
+  // Three planes z = 0, and 0.64 of one that the point is on already.
+  ExpectVector(star.Moved(weights, update), 0.0, 0.5, 0.15 * 0.64 / 3.64, 1e-14);
+}
+
 TEST(VotingPoints, CornerByAllPlanes)
 {
   PointUpdateSettings update;

@@ -98,6 +98,7 @@ void TestRobustMethods(int& failures)
   TestNeighborhoodSettings<Aware>(failures);
   Changes<Aware> aware(nullptr, Cloud());
   CHECK(aware([](Aware* f) { f->SetFeatureSharpening(0.0); }));
+  CHECK(!aware([](Aware* f) { f->LocalScaleOn(); })); // its documentation says so
   CHECK(aware([](Aware* f) { f->SetHeightModeToOwnHeight(); }));
   CHECK(aware([](Aware* f) { f->SetHeightModeToNeighborHeight(); }));
   CHECK(aware([](Aware* f) { f->SetLeastAngle(30.0); }));

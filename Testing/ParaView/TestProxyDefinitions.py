@@ -59,7 +59,7 @@ def enumerators(cls):
     found = {}
     for part in cls.__mro__:
         for name, value in vars(part).items():
-            if isinstance(value, int) and name.isupper():
+            if isinstance(value, int):
                 expect(found.setdefault(name, value) == value, cls.__name__, name, "hides another")
     return found
 

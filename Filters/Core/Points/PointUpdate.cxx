@@ -60,21 +60,18 @@ std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter
       const Vec3& n = normals[i];
       const Vec3& p = positions[i];
       RowSums sums;
+      const Vec3 line = settings.Lines ? (*settings.Lines)[i] : Vec3(0.0, 0.0, 0.0);
       if (weights.IncludesOwn())
       {
         // No height, no way to oneself; but the own plane holds back.
-        sums.Quadric += *w * n * n.transpose();
+        const Vec3 m = n - line.dot(n) * line;
+        sums.Quadric += *w * m * m.transpose();
         sums.Weight += *w++;
       }
-      const Vec3 line = settings.Lines ? (*settings.Lines)[i] : Vec3(0.0, 0.0, 0.0);
       for (const Index j : graph.Row(i))
       {
         const Vec3 e = positions[j] - p;
-        Vec3 m = normals[j];
-        if (settings.Lines)
-        {
-          m -= line.dot(m) * line;
-        }
+        const Vec3 m = normals[j] - line.dot(normals[j]) * line;
         const double sign = settings.Unoriented && n.dot(m) < 0.0 ? -1.0 : 1.0;
         const double height = m.dot(e);
         sums.Weight += *w;
