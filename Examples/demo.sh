@@ -12,7 +12,7 @@
 #
 # Options are those of Examples/Python/demo.py; --help lists them. What is missing is installed, and
 # the plugin is built once, in build-paraview. Results go to $OUT, by default ./out. $MODEL is
-# another model than fandisk, one of CGAL's meshes such as lion-head.
+# another model than fandisk, one of CGAL's meshes such as bunny00.
 
 # shellcheck source=Examples/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh" || exit 1
