@@ -52,7 +52,8 @@ foreach (extension IN ITEMS ply obj vtp vtk)
 endforeach ()
 expect(4 "polygons" cloud.xyz clean.stl)
 foreach (method IN ITEMS robust-implicit-mls moving-robust-pca feature-aware-point tensor-point
-    bilateral-point rolling-point-normal moving-least-squares guided-point-normal)
+    bilateral-point rolling-point-normal moving-least-squares guided-point-normal
+    voting-tensor-point)
   expect(0 "after:.*mean distance" cloud.xyz clean.vtp --method ${method} --reference cloud.xyz)
 endforeach ()
 expect(0 "8 points, 6 polygons" cube.off clean.ply --method moving-robust-pca)
