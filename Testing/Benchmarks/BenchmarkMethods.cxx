@@ -42,7 +42,7 @@ const TriangleMesh& MeshOf(int cuts)
 
 /// Of denoising a copy of the mesh, not of copying. Without the way from and to VTK, which is the
 /// same for all methods and would hide differences.
-Cost CostOf(const TriangleMesh& mesh, const MeshDenoisingSettings& settings,
+Cost CostOfMethod(const TriangleMesh& mesh, const MeshDenoisingSettings& settings,
   MeshDenoisingReport& report)
 {
   TriangleMesh work = mesh;
@@ -75,8 +75,8 @@ Comparison CompareTwoStages(const MethodRow& row, const TriangleMesh& mesh, benc
   }
   MeshDenoisingReport report;
   MeshDenoisingReport ignored;
-  const Comparison comparison = { CostOf(mesh, settings, report),
-    CostOf(mesh, bilateral, ignored) };
+  const Comparison comparison = { CostOfMethod(mesh, settings, report),
+    CostOfMethod(mesh, bilateral, ignored) };
   state.counters["setup_s"] = report.SetupSeconds;
   state.counters["normals_s"] = report.NormalSeconds;
   state.counters["vertices_s"] = report.VertexSeconds;
