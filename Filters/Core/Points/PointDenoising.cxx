@@ -4,6 +4,7 @@
 #include "PointDenoising.h"
 
 #include "InterruptedExecution.h"
+#include "PointRuns.h"
 #include "SpatialOrder.h"
 #include "Stopwatch.h"
 
@@ -157,7 +158,7 @@ private:
       return true;
     }
     InterruptedExecution interrupted(execution, fraction);
-    nearest = NearestPoints(this->Points.Positions, count, interrupted);
+    nearest = NearestOrderedPoints(this->Points.Positions, count, interrupted);
     return execution.Proceed(fraction);
   }
 
@@ -337,7 +338,8 @@ void PointWork::Orient(const NeighborGraph& nearest, const Buffer<Vec3>& given,
 bool DenoisePoints(PointCloud& cloud, const PointDenoisingSettings& settings,
   PointDenoisingReport& report, Execution& execution)
 {
-  const Buffer<Index> order = FindPointOrder(cloud.Positions, cloud.Normals, execution);
+  Buffer<Index> order = FindPointOrder(cloud.Positions, cloud.Normals, execution);
+  FormRuns(cloud.Positions, order, execution);
   const std::size_t all = cloud.Positions.size();
   report.NotFinite = all - order.size();
   PointWork work(settings, report);

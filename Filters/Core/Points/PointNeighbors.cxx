@@ -3,7 +3,7 @@
 
 #include "PointNeighbors.h"
 
-#include "KdTree.h"
+#include "NearestInRuns.h"
 
 #include <cmath>
 
@@ -39,23 +39,66 @@ Buffer<double> PointSpacings(const Buffer<Vec3>& points, const NeighborGraph& ne
   return spacings;
 }
 
+NeighborGraph NearestOrderedPoints(const Buffer<Vec3>& points, std::size_t count,
+  Execution& execution)
+{
+  const std::size_t size = points.size();
+  count = std::min(count, size > 0 ? size - 1 : 0);
+  NeighborGraph graph;
+  graph.Offsets.resize(size + 1);
+  for (std::size_t i = 0; i <= size; ++i)
+  {
+    graph.Offsets[i] = i * count;
+  }
+  graph.Ids.resize(size * count);
+  if (count == 0)
+  {
+    return graph;
+  }
+  const PointRuns runs(points, execution);
+  execution.For(
+    runs.NumberOfRuns(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      NearestInRuns search(runs, count);
+      for (std::size_t run = begin; run < end; ++run)
+      {
+        search.Find(run, graph.Ids.data() + run * RunLength * count);
+      }
+    },
+    64);
+  return graph;
+}
+
 NeighborGraph PointsWithinRadius(const Buffer<Vec3>& points, double radius, std::size_t limit,
   Execution& execution)
 {
-  const KdTree tree(points);
-  return BuildRows(execution, points.size(),
-    [&](std::size_t i, Buffer<Index>& row)
+  const PointRuns runs(points, execution);
+  radius = std::max(radius, 0.0);
+  return BuildRowsWith(execution, points.size(),
+    [&]
     {
-      static thread_local std::vector<Index> found;
-      const std::size_t first = row.size();
-      tree.Within(points[i], radius, found, limit < NoIndex ? limit + 1 : NoIndex);
-      for (const Index j : found)
+      return [&, search = RunSearch(runs)](std::size_t i, Buffer<Index>& row) mutable
       {
-        if (j != i && row.size() - first < limit)
+        // Chunks of rows begin with a run.
+        if (i % RunLength == 0)
         {
-          row.push_back(j);
+          search.TakeRuns(runs.BoxOf(i / RunLength), Above(radius));
         }
-      }
+        const std::size_t found = search.TakePoints(points[i], radius * radius);
+        const std::size_t sorted = limit < found ? limit + 1 : found;
+        search.SortPoints(sorted);
+        std::size_t appended = 0;
+        for (std::size_t n = 0; n < sorted && appended < limit; ++n)
+        {
+          const Index j = search.Sorted()[n];
+          if (j != i)
+          {
+            row.push_back(j);
+            ++appended;
+          }
+        }
+      };
     });
 }
 

@@ -42,7 +42,21 @@ constexpr std::size_t SpacingNeighbors = 16;
 Buffer<double> PointSpacings(const Buffer<Vec3>& points, const NeighborGraph& nearest,
   Execution& execution);
 
-/// The points at most radius away from each point, nearest first, at most limit.
+/**
+ * The count nearest other points of every point, nearest first, equally distant ones by number;
+ * fewer if there are not as many points. Of more than count points at one place, any are taken, the
+ * same for the same points in the same order.
+ *
+ * All points must be finite. They may have any order, but only that of FindPointOrder is fast:
+ * several times as fast as a search tree, which is asked for one place after the other. Here every
+ * point knows a bound for the distance of its last neighbour from the points before,
+ * |p - q| + r_q.
+ */
+NeighborGraph NearestOrderedPoints(const Buffer<Vec3>& points, std::size_t count,
+  Execution& execution);
+
+/// The other points at most radius away from each point, nearest first, equally distant ones by
+/// number, at most limit. Finite points in the order of FindPointOrder, likewise.
 NeighborGraph PointsWithinRadius(const Buffer<Vec3>& points, double radius, std::size_t limit,
   Execution& execution);
 
