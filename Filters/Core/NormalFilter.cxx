@@ -35,6 +35,7 @@ void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& executio
   const bool coupled = settings.Weighting == SiteWeight::Coupling;
   const Buffer<double>& areas = geometry.Areas;
   const std::size_t entries = this->EntryOf(rows);
+  this->Frozen = false;
   this->FixedWeights.resize(entries + Lanes);
   this->InverseSquaredDistances.resize(curvature ? entries : 0);
   std::fill(this->FixedWeights.begin() + entries, this->FixedWeights.end(), 0.0);
@@ -113,6 +114,29 @@ void NormalFilter::SetGeometry(const SiteGeometry& geometry, Execution& executio
       };
       this->ForBlocks(begin, end, fix);
     });
+}
+
+void NormalFilter::SetNorm(const ErrorNorm& norm, NormalArgument argument)
+{
+  this->Settings.Norm = norm;
+  this->Settings.Argument = argument;
+}
+
+void NormalFilter::FreezeWeights(const Fields& fields, Execution& execution)
+{
+  execution.For(this->Graph.NumberOfRows(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      Buffer<double> weights(this->Capacity);
+      this->ForBlocks(begin, end,
+        [&](const Block& block)
+        {
+          this->ComputeWeights(block, fields, weights.data());
+          std::copy(weights.data(), weights.data() + block.Count,
+            this->FixedWeights.data() + block.Entry);
+        });
+    });
+  this->Frozen = true;
 }
 
 void NormalFilter::ComputeWeights(const Block& block, const Fields& fields, double* weights) const

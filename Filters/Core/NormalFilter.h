@@ -121,6 +121,10 @@ public:
   /// given here, which must outlive the sweeps.
   void SetGeometry(const SiteGeometry& geometry, Execution& execution);
 
+  /// Another norm of another argument for the same geometry. Neither argument may be a curvature or
+  /// a bent arc.
+  void SetNorm(const ErrorNorm& norm, NormalArgument argument);
+
   /// The fields of normals that a sweep reads.
   struct Fields
   {
@@ -144,6 +148,10 @@ public:
     return this->Sweep({ current, current, current, current }, filtered, execution);
   }
 
+  /// From now on VisitWeights has the weights of these fields, whatever it is given: for sweeps that
+  /// leave the fields as they are, and what the argument depends on.
+  void FreezeWeights(const Fields& fields, Execution& execution);
+
   /**
    * Calls use(i, weights) for every site, on several threads at a time: the weight of the site
    * itself first, if it is included, then those of its row in the graph.
@@ -158,10 +166,15 @@ public:
         this->ForBlocks(begin, end,
           [&](const Block& block)
           {
-            this->ComputeWeights(block, fields, weights.data());
+            const double* known = this->FixedWeights.data() + block.Entry;
+            if (!this->Frozen)
+            {
+              this->ComputeWeights(block, fields, weights.data());
+              known = weights.data();
+            }
             for (std::size_t i = block.First; i < block.Last; ++i)
             {
-              use(i, weights.data() + (this->EntryOf(i) - block.Entry));
+              use(i, known + (this->EntryOf(i) - block.Entry));
             }
           });
       });
@@ -214,7 +227,8 @@ private:
   std::size_t BlockEntries = 0; ///< entries of a block: some hundred, or those of the longest row
   std::size_t Capacity = 0;     ///< room for a block and what vectors read beyond it
 
-  Buffer<double> FixedWeights;             ///< a_j f
+  Buffer<double> FixedWeights;             ///< a_j f; if they are frozen, all
+  bool Frozen = false;
   Buffer<double> InverseSquaredDistances;  ///< for curvatures along the line between two sites
   Buffer<double> SiteFactors;              ///< g(x_i), for SiteCurvature
   const Buffer<Vec3>* Positions = nullptr; ///< for heights, those of SetGeometry

@@ -124,7 +124,7 @@ Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vec
 {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
-  std::vector<std::pair<std::uint64_t, Index>> codes;
+  Buffer<std::pair<std::uint64_t, Index>> codes;
   codes.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {

@@ -24,7 +24,7 @@ constexpr double LikelyGrowth = 1.12;
 std::pair<std::size_t, std::size_t> NearestInRuns::Around(std::size_t i) const
 {
   const std::size_t all = this->Runs.NumberOfPoints();
-  const std::size_t length = (4 * this->Count / RunLength + 4) * RunLength;
+  const std::size_t length = (2 * this->Count / RunLength + 2) * RunLength;
   const std::size_t begin = i / length * length;
   return begin + length <= all ? std::make_pair(begin, begin + length)
                                : std::make_pair(all - std::min(all, length), all);
@@ -63,19 +63,21 @@ void NearestInRuns::TakeHeap(std::size_t i, Index* row) const
 void NearestInRuns::FindOne(std::size_t i, const PointRuns::Box& box, double bound, Index* row)
 {
   const Vec3 p = this->Runs.Point(i);
-  // The ball around a point before reaches as far, seen from here. Most often, a ball like that of
-  // the nearest of them is enough.
-  double nearest = Infinity;
   double likely = bound;
-  for (std::size_t n = 0; n < this->Done; ++n)
+  if (this->Done > 0)
   {
-    const double apart = (this->Places[n] - p).norm();
-    bound = std::min(bound, this->Distances[n] + apart);
-    if (apart < nearest)
+    std::size_t nearest = 0;
+    double square = Infinity;
+    for (std::size_t n = 0; n < this->Done; ++n)
     {
-      nearest = apart;
-      likely = LikelyGrowth * this->Distances[n];
+      const double apart = (this->Places[n] - p).squaredNorm();
+      nearest = apart < square ? n : nearest;
+      square = std::min(square, apart);
     }
+    // The ball around a point before reaches as far, seen from here. Most often, one of nearly its
+    // size around this point is enough.
+    bound = std::min(bound, this->Distances[nearest] + std::sqrt(square));
+    likely = LikelyGrowth * this->Distances[nearest];
   }
   this->Places[this->Done] = p;
   double& distance = this->Distances[this->Done++];

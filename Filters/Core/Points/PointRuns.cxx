@@ -14,28 +14,43 @@ namespace
 /// Points that are rearranged among themselves.
 constexpr std::size_t StretchLength = 64 * RunLength;
 
-/// Halves the numbers across the longest side of their box until a run is left.
-void Halve(const Buffer<Vec3>& points, Index* first, Index* last)
+struct NumberedPoint
+{
+  double Place[3];
+  Index Number;
+};
+
+/// Halves the points across the longest side of their box until runs are left.
+void Halve(NumberedPoint* first, NumberedPoint* last)
 {
   const std::size_t count = static_cast<std::size_t>(last - first);
   if (count <= RunLength)
   {
     return;
   }
-  Vec3 low = points[*first];
-  Vec3 high = low;
-  for (const Index* i = first; i != last; ++i)
+  int axis = 0;
+  double longest = -1.0;
+  for (int side = 0; side < 3; ++side)
   {
-    low = low.cwiseMin(points[*i]);
-    high = high.cwiseMax(points[*i]);
+    double low = first->Place[side];
+    double high = low;
+    for (const NumberedPoint* p = first; p != last; ++p)
+    {
+      low = std::min(low, p->Place[side]);
+      high = std::max(high, p->Place[side]);
+    }
+    if (high - low > longest)
+    {
+      longest = high - low;
+      axis = side;
+    }
   }
-  Eigen::Index axis = 0;
-  (high - low).maxCoeff(&axis);
-  Index* middle = first + (count / RunLength + 1) / 2 * RunLength;
+  NumberedPoint* middle = first + (count / RunLength + 1) / 2 * RunLength;
   std::nth_element(first, middle, last,
-    [&points, axis](Index i, Index j) { return points[i][axis] < points[j][axis]; });
-  Halve(points, first, middle);
-  Halve(points, middle, last);
+    [axis](const NumberedPoint& p, const NumberedPoint& q)
+    { return p.Place[axis] < q.Place[axis]; });
+  Halve(first, middle);
+  Halve(middle, last);
 }
 
 /// Axes of a box: 0 to 2.
@@ -50,10 +65,21 @@ void FormRuns(const Buffer<Vec3>& points, Buffer<Index>& order, Execution& execu
     (count + StretchLength - 1) / StretchLength,
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t stretch = begin; stretch < end; ++stretch)
+      std::vector<NumberedPoint> stretch(std::min(count, StretchLength));
+      for (std::size_t number = begin; number < end; ++number)
       {
-        Halve(points, order.data() + stretch * StretchLength,
-          order.data() + std::min(count, (stretch + 1) * StretchLength));
+        Index* numbers = order.data() + number * StretchLength;
+        const std::size_t length = std::min(count - number * StretchLength, StretchLength);
+        for (std::size_t k = 0; k < length; ++k)
+        {
+          const Vec3& p = points[numbers[k]];
+          stretch[k] = { { p[0], p[1], p[2] }, numbers[k] };
+        }
+        Halve(stretch.data(), stretch.data() + length);
+        for (std::size_t k = 0; k < length; ++k)
+        {
+          numbers[k] = stretch[k].Number;
+        }
       }
     },
     4);

@@ -13,7 +13,7 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// The sums of a row, from which all schemes take their step.
+/// The sums of a row, from which schemes take their step.
 struct RowSums
 {
   double Weight = 0.0;
@@ -22,6 +22,84 @@ struct RowSums
   Vec3 Pull = Vec3(0.0, 0.0, 0.0); ///< sum w n_j (n_j . e): b of the quadric
   Mat3 Quadric = Mat3::Zero();
 };
+
+/// Those of the sums that the scheme needs. They take most of the time of a step.
+template <PointScheme Scheme>
+RowSums SumRow(const NormalFilter& weights, const Buffer<Vec3>& normals,
+  const Buffer<Vec3>& positions, const PointUpdateSettings& settings, std::size_t i,
+  const double* w)
+{
+  constexpr bool quadric = Scheme == PointScheme::QuadricFit;
+  constexpr bool pull = quadric || Scheme == PointScheme::Gradient;
+  constexpr bool neighbor =
+    Scheme == PointScheme::NeighborHeight || Scheme == PointScheme::BalancedHeight;
+  constexpr bool own = Scheme == PointScheme::OwnHeight ||
+    Scheme == PointScheme::BalancedHeight || Scheme == PointScheme::Gradient;
+  const Vec3 n = normals[i];
+  const Vec3 p = positions[i];
+  const Vec3 line = quadric && settings.Lines ? (*settings.Lines)[i] : Vec3(0.0, 0.0, 0.0);
+  RowSums sums;
+  if (weights.IncludesOwn())
+  {
+    // No height, no way to oneself; but the own plane holds back.
+    if constexpr (quadric)
+    {
+      const Vec3 m = n - line.dot(n) * line;
+      sums.Quadric += *w * m * m.transpose();
+    }
+    sums.Weight += *w++;
+  }
+  for (const Index j : weights.Neighbors().Row(i))
+  {
+    const Vec3 e = positions[j] - p;
+    sums.Weight += *w;
+    if constexpr (own)
+    {
+      sums.OwnHeight += *w * n.dot(e);
+    }
+    if constexpr (neighbor || pull)
+    {
+      Vec3 m = normals[j];
+      if constexpr (quadric)
+      {
+        m -= line.dot(m) * line;
+        sums.Quadric += *w * m * m.transpose();
+      }
+      const double height = m.dot(e);
+      if constexpr (neighbor)
+      {
+        sums.NeighborHeight += *w * (settings.Unoriented && n.dot(m) < 0.0 ? -height : height);
+      }
+      if constexpr (pull)
+      {
+        sums.Pull += (*w * height) * m;
+      }
+    }
+    ++w;
+  }
+  return sums;
+}
+
+using SumRows = RowSums (*)(const NormalFilter&, const Buffer<Vec3>&, const Buffer<Vec3>&,
+  const PointUpdateSettings&, std::size_t, const double*);
+
+SumRows SumsOf(PointScheme scheme)
+{
+  switch (scheme)
+  {
+    case PointScheme::OwnHeight:
+      return SumRow<PointScheme::OwnHeight>;
+    case PointScheme::NeighborHeight:
+      return SumRow<PointScheme::NeighborHeight>;
+    case PointScheme::BalancedHeight:
+      return SumRow<PointScheme::BalancedHeight>;
+    case PointScheme::Gradient:
+      return SumRow<PointScheme::Gradient>;
+    case PointScheme::QuadricFit:
+      break;
+  }
+  return SumRow<PointScheme::QuadricFit>;
+}
 
 }
 
@@ -46,44 +124,20 @@ std::size_t ComputeDisplacements(const NormalFilter& weights, const NormalFilter
   const Buffer<Vec3>& positions, const PointUpdateSettings& settings, Buffer<Vec3>& displacements,
   Execution& execution, Buffer<unsigned char>* ranks)
 {
-  const NeighborGraph& graph = weights.Neighbors();
+  const std::size_t count = weights.Neighbors().NumberOfRows();
   const Buffer<Vec3>& normals = fields.Data;
-  displacements.resize(graph.NumberOfRows());
+  const SumRows sum = SumsOf(settings.Scheme);
+  displacements.resize(count);
   if (ranks)
   {
-    ranks->assign(graph.NumberOfRows(), 0);
+    ranks->assign(count, 0);
   }
   std::atomic<std::size_t> kept{ 0 };
   weights.VisitWeights(fields, execution,
     [&](std::size_t i, const double* w)
     {
       const Vec3& n = normals[i];
-      const Vec3& p = positions[i];
-      RowSums sums;
-      const Vec3 line = settings.Lines ? (*settings.Lines)[i] : Vec3(0.0, 0.0, 0.0);
-      if (weights.IncludesOwn())
-      {
-        // No height, no way to oneself; but the own plane holds back.
-        const Vec3 m = n - line.dot(n) * line;
-        sums.Quadric += *w * m * m.transpose();
-        sums.Weight += *w++;
-      }
-      for (const Index j : graph.Row(i))
-      {
-        const Vec3 e = positions[j] - p;
-        const Vec3 m = normals[j] - line.dot(normals[j]) * line;
-        const double sign = settings.Unoriented && n.dot(m) < 0.0 ? -1.0 : 1.0;
-        const double height = m.dot(e);
-        sums.Weight += *w;
-        sums.OwnHeight += *w * n.dot(e);
-        sums.NeighborHeight += *w * sign * height;
-        sums.Pull += (*w * height) * m;
-        if (settings.Scheme == PointScheme::QuadricFit)
-        {
-          sums.Quadric += *w * m * m.transpose();
-        }
-        ++w;
-      }
+      const RowSums sums = sum(weights, normals, positions, settings, i, w);
       Vec3& d = displacements[i];
       d.setZero();
       const bool needsNormal = settings.Scheme != PointScheme::QuadricFit;

@@ -83,8 +83,9 @@ public:
     }
     const int steps = std::max(1, settings.NormalIterations + settings.PointIterations);
     const double middle = first + (last - first) * settings.NormalIterations / steps;
-    return this->FilterNormals(points, execution, first, middle) &&
-      this->MovePoints(points, execution, middle, last);
+    std::unique_ptr<NormalFilter> filter;
+    return this->FilterNormals(points, filter, execution, first, middle) &&
+      this->MovePoints(points, filter, execution, middle, last);
   }
 
 private:
@@ -103,12 +104,30 @@ private:
     }
   }
 
+  /// The norm of a stage.
+  static ErrorNorm NormOf(const PointSet& points, const PointWeights& weights, double normScale)
+  {
+    return MakeErrorNorm(weights.Norm, normScale * ScaleUnit(points, weights.Argument));
+  }
+
+  /// True if both stages have the same fixed weights: normals change, but points do not move between
+  /// the two.
+  bool HasOneGeometry(const PointSet& points) const
+  {
+    const PointWeights& one = this->Settings.Normals;
+    const PointWeights& other = this->Settings.Points;
+    auto needsDistances = [](NormalArgument argument)
+    { return IsCurvature(argument) || argument == NormalArgument::BentArc; };
+    return one.SpatialScale == other.SpatialScale && one.IncludeOwn == other.IncludeOwn &&
+      !needsDistances(one.Argument) && !needsDistances(other.Argument) && !points.LocalScale;
+  }
+
   /// The engine with the weights of a stage, for the present positions.
   std::unique_ptr<NormalFilter> MakeFilter(const PointSet& points, const PointWeights& weights,
     double normScale, Execution& execution)
   {
     NormalFilterSettings settings;
-    settings.Norm = MakeErrorNorm(weights.Norm, normScale * ScaleUnit(points, weights.Argument));
+    settings.Norm = NormOf(points, weights, normScale);
     settings.Argument = weights.Argument;
     settings.SpatialSigma = weights.SpatialScale * points.Spacing;
     settings.Weighting = SiteWeight::Area;
@@ -142,14 +161,16 @@ private:
     return filter;
   }
 
-  bool FilterNormals(PointSet& points, Execution& execution, double first, double last)
+  /// Leaves its filter, if it made one.
+  bool FilterNormals(PointSet& points, std::unique_ptr<NormalFilter>& filter, Execution& execution,
+    double first, double last)
   {
     const TwoStageSettings& settings = this->Settings;
     if (settings.NormalIterations < 1)
     {
       return true;
     }
-    const auto filter = this->MakeFilter(points, settings.Normals, this->Done.NormScale, execution);
+    filter = this->MakeFilter(points, settings.Normals, this->Done.NormScale, execution);
     const bool rolling = settings.Guidance == PointGuidance::Rolling;
     Buffer<Vec3>& normals = points.Normals;
     Buffer<Vec3> original;
@@ -212,19 +233,33 @@ private:
     return true;
   }
 
-  bool MovePoints(PointSet& points, Execution& execution, double first, double last)
+  bool MovePoints(PointSet& points, std::unique_ptr<NormalFilter>& filter, Execution& execution,
+    double first, double last)
   {
     const TwoStageSettings& settings = this->Settings;
     if (settings.PointIterations < 1)
     {
       return true;
     }
-    const auto filter =
-      this->MakeFilter(points, settings.Points, settings.Points.NormScale, execution);
+    const PointWeights& weights = settings.Points;
+    if (filter && this->HasOneGeometry(points))
+    {
+      filter->SetNorm(NormOf(points, weights, weights.NormScale), weights.Argument);
+    }
+    else
+    {
+      filter.reset(); // first, for its memory
+      filter = this->MakeFilter(points, weights, weights.NormScale, execution);
+    }
     PointUpdateSettings update = settings.Update;
     update.Unoriented = settings.Unoriented;
     const NormalFilter::Fields fields{ points.Normals, points.Normals, points.Normals,
       points.Normals };
+    // Normals stay as they are from now on, unlike heights.
+    if (!IsLength(weights.Argument) && settings.PointIterations > 1)
+    {
+      filter->FreezeWeights(fields, execution);
+    }
     Buffer<Vec3> places;
     for (int iteration = 0; iteration < settings.PointIterations; ++iteration)
     {
