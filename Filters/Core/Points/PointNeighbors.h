@@ -42,6 +42,9 @@ constexpr std::size_t SpacingNeighbors = 16;
 Buffer<double> PointSpacings(const Buffer<Vec3>& points, const NeighborGraph& nearest,
   Execution& execution);
 
+/// The median of those above 0, see PointSet; 0 if there is none.
+double MedianSpacing(const Buffer<double>& spacings);
+
 /// The points at most radius away from each point, nearest first, at most limit.
 NeighborGraph PointsWithinRadius(const Buffer<Vec3>& points, double radius, std::size_t limit,
   Execution& execution);
