@@ -181,7 +181,7 @@ POINT_METHODS = [
     Method("VotingTensorPointFilter", "Voting tensor point",
            "Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier 2018", {
                "default": {},
-               "cad": {"NumberOfOuterIterations": 30},
+               "cad": {"NumberOfOuterIterations": 12},
            }),
 ]
 

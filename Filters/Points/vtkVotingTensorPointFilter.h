@@ -17,15 +17,20 @@
  * faces in the neighbourhood draw as much as those that meet at the edge, and the planes around a
  * curved edge all pass on its convex side, where points creep with every iteration. PlaneScale, on
  * by default, lets only planes count that pass near the point; 0 is what the paper has. Its other
- * numbers are balls of 7.5 spacings, 50 iterations, own heights and a limit of 3 spacings; those
- * make facets of curved surfaces, so that the defaults are smaller.
+ * numbers are balls of 7.5 spacings, 50 iterations with steps of 0.1, own heights, an angle of
+ * 25.84 degrees and a limit of 3 spacings; those make facets of curved surfaces. The defaults are
+ * balls of 3, 8 iterations with steps of 0.3, 36.87 degrees and a limit of 1.5: on the points of
+ * Fandisk with noise of 0.3, the mean distance is 0.99e-3 of the diagonal, on those of Nicola with
+ * 0.2 it is 0.51e-3.
  *
  * With AsReleased the filter computes exactly what the authors' program does, slips included:
  * points move one after the other, the result depends on their order and on the size of the model.
  * All settings that have no counterpart there are ignored; NumberOfOuterIterations, AngleThreshold,
- * EigenvalueThreshold, Damping and Step count (the program makes 50 iterations), and
- * MaximumDisplacement does in units of the mean distance of the 12 nearest points (0: 2 of them, as
- * the program). Points that are not finite are left out.
+ * EigenvalueThreshold, Damping and Step count, and MaximumDisplacement does in units of the mean
+ * distance of the 12 nearest points (0: 2 of them, as the program). The numbers of the program,
+ * which are not the defaults here, are 50 iterations, an AngleThreshold of acos(0.9), that
+ * is 25.841932763 degrees, an EigenvalueThreshold of 0.25, Damping 3, Step 0.1 and
+ * MaximumDisplacement 0. Points that are not finite are left out.
  */
 
 #ifndef vtkVotingTensorPointFilter_h
@@ -50,7 +55,7 @@ public:
   };
 
   ///@{
-  /// Normals within this angle are similar, in degrees. Default 25.84 (a cosine of 0.9).
+  /// Normals within this angle are similar, in degrees. Default 36.87 (a cosine of 0.8).
   vtkSetClampMacro(AngleThreshold, double, 1.0, 180.0);
   vtkGetMacro(AngleThreshold, double);
   ///@}
@@ -69,7 +74,7 @@ public:
   ///@}
 
   ///@{
-  /// Length of the steps of points, in (0, 1]. Default 0.1.
+  /// Length of the steps of points, in (0, 1]. Default 0.3.
   vtkSetClampMacro(Step, double, 0.001, 1.0);
   vtkGetMacro(Step, double);
   ///@}

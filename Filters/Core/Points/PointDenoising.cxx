@@ -166,15 +166,7 @@ private:
   {
     PointSet& points = this->Points;
     points.Spacings = PointSpacings(points.Positions, nearest, execution);
-    Buffer<double> apart;
-    for (const double spacing : points.Spacings)
-    {
-      if (spacing > 0.0)
-      {
-        apart.push_back(spacing);
-      }
-    }
-    points.Spacing = Median(apart);
+    points.Spacing = MedianSpacing(points.Spacings);
     this->Report.Spacing = points.Spacing;
     for (double& spacing : points.Spacings)
     {

@@ -4,6 +4,7 @@
 #include "PointNeighbors.h"
 
 #include "NearestInRuns.h"
+#include "RobustScale.h"
 
 #include <cmath>
 
@@ -37,6 +38,19 @@ Buffer<double> PointSpacings(const Buffer<Vec3>& points, const NeighborGraph& ne
       }
     });
   return spacings;
+}
+
+double MedianSpacing(const Buffer<double>& spacings)
+{
+  Buffer<double> apart;
+  for (const double spacing : spacings)
+  {
+    if (spacing > 0.0)
+    {
+      apart.push_back(spacing);
+    }
+  }
+  return Median(apart);
 }
 
 NeighborGraph NearestOrderedPoints(const Buffer<Vec3>& points, std::size_t count,

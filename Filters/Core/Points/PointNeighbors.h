@@ -42,6 +42,9 @@ constexpr std::size_t SpacingNeighbors = 16;
 Buffer<double> PointSpacings(const Buffer<Vec3>& points, const NeighborGraph& nearest,
   Execution& execution);
 
+/// The median of those above 0, see PointSet; 0 if there is none.
+double MedianSpacing(const Buffer<double>& spacings);
+
 /**
  * The count nearest other points of every point, nearest first, equally distant ones by number;
  * fewer if there are not as many points. Of more than count points at one place, any are taken, the

@@ -183,6 +183,8 @@ private:
     {
       guide.assign(points.Size(), Vec3(0.0, 0.0, 0.0)); // looks at nothing: the mean
     }
+    PointPatchSettings patch = settings.Patch;
+    patch.Unoriented = settings.Unoriented;
     Buffer<Vec3> filtered(points.Size());
     for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
     {
@@ -198,8 +200,7 @@ private:
         case PointGuidance::None:
           break;
         case PointGuidance::Patch:
-          ComputePointPatches(points.Neighbors, normals, { 10, 0.7, settings.Unoriented }, guide,
-            execution);
+          ComputePointPatches(points.Neighbors, normals, patch, guide, execution);
           centre = compared = &guide;
           break;
         case PointGuidance::Median:

@@ -63,6 +63,9 @@ struct TwoStageSettings
   PointWeights Normals;
   ScaleEstimator Estimator = ScaleEstimator::MedianAbsoluteDeviation;
   PointGuidance Guidance = PointGuidance::None;
+  /// Of that guidance; patches end at edges, or the mean error near these is larger than without
+  /// any guidance: on a wedge with noise of 0.15 spacings 0.06 spacings instead of 0.025.
+  PointPatchSettings Patch = { 10, 0.7, false, 0.65 };
   PointNormalData Data = PointNormalData::Previous;
   PointNormalOperator Operator = PointNormalOperator::Average;
   double StepLength = 0.5; ///< of Diffusion
@@ -74,7 +77,7 @@ struct TwoStageSettings
   int PointIterations = 10; ///< per outer iteration
 
   bool DensityWeights = false; ///< neighbours count by the area around them, s_j^2
-  bool Unoriented = false;     ///< n and -n are the same normal, in both stages
+  bool Unoriented = false;     ///< n and -n are the same normal, in both stages and in patches
 };
 
 std::unique_ptr<PointOperator> MakeTwoStagePoints(const TwoStageSettings& settings);

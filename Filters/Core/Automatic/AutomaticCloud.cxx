@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Automatic/AutomaticCloud.h"
+
+#include "Automatic/CloudRisk.h"
+#include "KdTree.h"
+#include "Points/InterruptedExecution.h"
+#include "Points/PlaneFit.h"
+#include "Points/PointMethods.h"
+#include "SpatialOrder.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// Something to try, and the noise for which it can be the best, in spacings.
+struct Candidate
+{
+  const char* Method;
+  const char* Kind; ///< of surface, for people
+  double From;
+  double To;
+  PointDenoisingSettings Settings;
+};
+
+PointDenoisingSettings LeastSquares(int neighbors)
+{
+  PointDenoisingSettings settings = SettingsOf(PointMethod::MovingLeastSquares);
+  settings.Neighborhood.Count = neighbors;
+  return settings;
+}
+
+PointDenoisingSettings RobustPlanes(int neighbors, int outerIterations)
+{
+  PointDenoisingSettings settings = SettingsOf(PointMethod::MovingRobustPCA);
+  settings.Neighborhood.Count = settings.Normals.NumberOfNeighbors = neighbors;
+  settings.OuterIterations = outerIterations;
+  return settings;
+}
+
+/// The composer with this range scale of normals.
+PointDenoisingSettings Composed(int neighbors, int forNormals, double spatialScale,
+  double rangeScale, int normalIterations, int pointIterations)
+{
+  PointDenoisingSettings settings = ComposedPoints();
+  settings.Neighborhood.Count = neighbors;
+  settings.Normals.NumberOfNeighbors = forNormals;
+  auto& stages = std::get<TwoStageSettings>(settings.Operator);
+  stages.Normals.NormScale = rangeScale;
+  stages.Points.NormScale = rangeScale > 0.4 ? rangeScale : 0.2;
+  stages.Normals.SpatialScale = stages.Points.SpatialScale = spatialScale;
+  stages.NormalIterations = normalIterations;
+  stages.PointIterations = pointIterations;
+  return settings;
+}
+
+const std::vector<Candidate>& Candidates()
+{
+  static const std::vector<Candidate> candidates = []
+  {
+    const char* composer = "Robust Point Normal";
+    const char* squares = "Moving Least Squares";
+    const char* planes = "Moving Robust PCA";
+    const double any = 1e300;
+    std::vector<Candidate> all = {
+      { squares, "full of fine details", 0.0, 0.45, LeastSquares(16) },
+      { squares, "smooth with some details", 0.0, any, LeastSquares(30) },
+      { squares, "smooth", 0.0, any, LeastSquares(60) },
+      { composer, "bent", 0.0, 0.45, Composed(16, 16, 1.5, 0.5, 1, 2) },
+      { composer, "bent with blunt edges", 0.0, 0.45, Composed(16, 16, 1.5, 0.35, 3, 5) },
+      { composer, "smooth with some details", 0.1, any, Composed(16, 24, 1.5, 1.0, 1, 4) },
+      { composer, "sharp-edged", 0.1, any, Composed(16, 24, 1.5, 0.2, 10, 10) },
+      { composer, "bent with blunt edges", 0.2, any, Composed(24, 36, 2.0, 0.5, 2, 5) },
+      { composer, "sharp-edged", 0.3, any, Composed(24, 36, 2.0, 0.2, 10, 10) },
+      { composer, "sharp-edged", 0.3, any, Composed(40, 40, 3.0, 0.35, 3, 5) },
+      { planes, "sharp-edged", 0.0, 0.6, RobustPlanes(30, 5) },
+      { planes, "sharp-edged", 0.3, any, RobustPlanes(60, 3) },
+      { composer, "smooth", 0.3, any, Composed(80, 80, 3.0, 0.5, 1, 2) },
+    };
+    for (Candidate& candidate : all)
+    {
+      candidate.Settings.Normals.Source = NormalSource::RobustFit;
+    }
+    return all;
+  }();
+  return candidates;
+}
+
+/// Risks are that uncertain with as few points.
+constexpr std::size_t FewestJudged = 50;
+
+/// Parts of the cloud that all candidates are tried on, and those that the best are.
+constexpr std::size_t RoughParts = 3;
+constexpr std::size_t FineParts = 10;
+
+/// Points whose plane outliers go to.
+constexpr std::size_t PlaneNeighbors = 12;
+
+/// Places of outliers on the planes of the denoised points; those farther away than reach stay.
+void PullOutliers(PointCloud& cloud, const Buffer<Index>& outliers, const PointCloud& clean,
+  double reach, AutomaticCloudReport& report)
+{
+  const KdTree tree(clean.Positions);
+  std::vector<Index> found;
+  for (const Index i : outliers)
+  {
+    const Vec3 place = cloud.Positions[i];
+    cloud.Status[i] = PointStatus::Kept;
+    tree.Nearest(place, PlaneNeighbors, found);
+    PlaneSum sum;
+    Vec3 side(0.0, 0.0, 0.0);
+    for (const Index j : found)
+    {
+      sum.Add(clean.Positions[j] - place);
+      side += clean.Normals[j];
+    }
+    const Plane plane = sum.Fit();
+    const double height = -plane.Normal.dot(plane.Centre);
+    if (plane.Normal.isZero(0.0) || std::abs(height) > reach)
+    {
+      ++report.LeftOutliers;
+      continue;
+    }
+    cloud.Positions[i] = place - height * plane.Normal;
+    cloud.Normals[i] = side.dot(plane.Normal) < 0.0 ? Vec3(-plane.Normal) : plane.Normal;
+    cloud.Status[i] = PointStatus::Filtered;
+    ++report.Pulled;
+  }
+}
+
+}
+
+CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double deviation,
+  Execution& execution)
+{
+  CloudChoice choice;
+  const double level = spacing > 0.0 ? deviation / spacing : 0.0;
+  if (!(level > 1e-4))
+  {
+    choice.Reason = "There is no noise.";
+    return choice;
+  }
+  const CloudRisk rough(points, spacing, deviation, RoughParts, execution);
+  if (rough.NumberOfJudged() < FewestJudged)
+  {
+    choice.Reason = "There are too few points to tell noise from shape.";
+    return choice;
+  }
+  std::vector<const Candidate*> left;
+  std::vector<double> risks;
+  for (const Candidate& candidate : Candidates())
+  {
+    if (level >= candidate.From && level <= candidate.To)
+    {
+      left.push_back(&candidate);
+      risks.push_back(rough.Of(candidate.Settings, execution));
+    }
+  }
+  // What is far behind on a small sample need not be tried on a larger one.
+  const double limit = 0.1 + 1.3 * std::max(0.0, *std::min_element(risks.begin(), risks.end()));
+  const bool known = rough.NumberOfPoints() == points.size();
+  const CloudRisk fine(points, spacing, deviation, known ? 1 : FineParts, execution);
+  const char* kind = "";
+  double least = 1.0; // leaving the points alone
+  for (std::size_t k = 0; k < left.size() && execution.Proceed(0.0); ++k)
+  {
+    double risk = risks[k];
+    if (!known)
+    {
+      risk = risk < limit ? fine.Of(left[k]->Settings, execution) : 1.0;
+    }
+    if (risk < least)
+    {
+      least = risk;
+      kind = left[k]->Kind;
+      choice.Nothing = false;
+      choice.Method = left[k]->Method;
+      choice.Settings = left[k]->Settings;
+    }
+  }
+  choice.Remaining = std::sqrt(std::max(0.0, least));
+  char reason[200];
+  if (choice.Nothing)
+  {
+    std::snprintf(reason, sizeof(reason),
+      "Noise of %.2f spacings: every method would take away more of the surface than of the noise.",
+      level);
+  }
+  else
+  {
+    std::snprintf(reason, sizeof(reason),
+      "Noise of %.2f spacings on a surface that is taken for %s: the least error of all methods, "
+      "about %.0f%% of the "
+      "noise.",
+      level, kind, 100.0 * choice.Remaining);
+  }
+  choice.Reason = reason;
+  return choice;
+}
+
+bool DenoiseAutomatically(PointCloud& cloud, double strength, AutomaticCloudReport& report,
+  Execution& execution)
+{
+  report = AutomaticCloudReport();
+  if (!(strength > 0.0))
+  {
+    report.Choice.Reason = "The strength is 0.";
+    return true;
+  }
+  InterruptedExecution measuring(execution, 0.0);
+  report.Noise = EstimateNoise(cloud.Positions, measuring);
+  if (!measuring.Proceed(0.0) || !execution.Proceed(0.1))
+  {
+    return false;
+  }
+  // Points along a curve through space, so that nothing depends on their order.
+  const Buffer<Index> order = FindPointOrder(cloud.Positions, cloud.Normals, execution);
+  Buffer<Index> kept;
+  Buffer<Index> outliers;
+  for (const Index i : order)
+  {
+    (report.Noise.Outliers[i] != 0 ? outliers : kept).push_back(i);
+  }
+  PointCloud clean;
+  clean.Positions = Gather(cloud.Positions, kept);
+  clean.Normals = cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, kept);
+  InterruptedExecution choosing(execution, 0.1);
+  report.Choice = ChooseForCloud(clean.Positions, report.Noise.Spacing,
+    std::min(strength, 1e3) * report.Noise.Deviation, choosing);
+  if (!choosing.Proceed(0.0))
+  {
+    return false;
+  }
+  if (report.Choice.Nothing && outliers.empty())
+  {
+    return true;
+  }
+  PointDenoisingSettings settings = report.Choice.Settings;
+  if (report.Choice.Nothing)
+  {
+    settings.OuterIterations = 0; // normals tell outliers the side
+  }
+  const Buffer<Vec3> before = clean.Positions;
+  InterruptedExecution denoising(execution, 0.3, 1.0);
+  if (!DenoisePoints(clean, settings, report.Denoising, denoising) || !execution.Proceed(1.0))
+  {
+    return false;
+  }
+  const std::size_t all = cloud.Positions.size();
+  cloud.Normals.resize(all, Vec3(0.0, 0.0, 0.0));
+  cloud.Status.assign(all, PointStatus::NotFinite);
+  cloud.Classes.clear();
+  for (std::size_t k = 0; k < kept.size(); ++k)
+  {
+    cloud.Positions[kept[k]] = clean.Positions[k];
+    cloud.Normals[kept[k]] = clean.Normals[k];
+    cloud.Status[kept[k]] = clean.Status[k];
+  }
+  PullOutliers(cloud, outliers, clean, 10.0 * report.Noise.Spacing, report);
+  report.Denoising.NotFinite = all - order.size();
+  return true;
+}
+
+}

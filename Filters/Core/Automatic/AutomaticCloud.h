@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file AutomaticCloud.h
+ * @brief Denoises a cloud without a setting: measures the noise, chooses the method, handles
+ * outliers.
+ *
+ * 1. EstimateNoise tells the noise level and the outliers.
+ * 2. A dozen candidates, from a sharp filter of few neighbours to a smooth one of many, are tried
+ *    on samples of the cloud: all on 2400 points, those that are not far behind on 8000. The one
+ *    with the least estimated risk (CloudRisk.h) is chosen, or none if none is better than leaving
+ *    the points alone.
+ * 3. It runs on all points but the outliers, which so have no say in the fits of their neighbours.
+ * 4. Outliers off the surface go to the plane of the nearest denoised points. Those far from
+ *    everything stay where they are, marked as kept: they are no part of this surface.
+ */
+
+#ifndef SurfaceDenoising_AutomaticCloud_h
+#define SurfaceDenoising_AutomaticCloud_h
+
+#include "Automatic/CloudNoise.h"
+#include "Points/PointDenoising.h"
+
+#include <string>
+
+namespace SurfaceDenoising
+{
+
+struct CloudChoice
+{
+  bool Nothing = true;             ///< leave the points alone
+  std::string Method = "None";     ///< its name, as in PointMethods, or that of the composer
+  std::string Reason;              ///< a sentence for people
+  PointDenoisingSettings Settings; ///< if there is something to do
+  double Remaining = 1.0; ///< root of the share of the squared noise that should be left, in [0, 1]
+};
+
+/**
+ * What to do with points (all finite) that have noise of this deviation, a length; spacing is that
+ * of CloudNoise. Depends neither on the order of the points nor on the number of threads. If the
+ * execution asks to stop, the choice is of no use.
+ */
+CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double deviation,
+  Execution& execution);
+
+struct AutomaticCloudReport
+{
+  CloudNoise Noise; ///< as measured, without the strength
+  CloudChoice Choice;
+  PointDenoisingReport Denoising;
+  std::size_t Pulled = 0;       ///< outliers that went to the surface
+  std::size_t LeftOutliers = 0; ///< outliers that stayed
+};
+
+/**
+ * Denoises the cloud in place as DenoisePoints does: new positions and normals; statuses. strength
+ * is 1 for the noise that is found; the noise is taken for as much larger or smaller. 0, or less,
+ * or not a number leaves the cloud as it is. Where normals are given, those of the result are on
+ * the same side; they are not relied on otherwise. Returns false if the execution asked to stop;
+ * the cloud is unchanged then.
+ */
+bool DenoiseAutomatically(PointCloud& cloud, double strength, AutomaticCloudReport& report,
+  Execution& execution);
+
+}
+
+#endif

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Automatic/CloudRisk.h"
+
+#include "KdTree.h"
+#include "SpatialOrder.h"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// Points that normals come from.
+constexpr std::size_t NormalNeighbors = 20;
+
+/// The points of a part, and those of them that have all their neighbours.
+constexpr std::size_t PartPoints = 800;
+constexpr std::size_t InnerPoints = 450;
+
+Vec3 MeanOf(const Buffer<Vec3>& points, Execution& execution)
+{
+  const Vec3 sum = OrderedSum(execution, points.size(), Vec3(0.0, 0.0, 0.0),
+    [&](std::size_t i) -> const Vec3& { return points[i]; });
+  return sum / static_cast<double>(std::max<std::size_t>(1, points.size()));
+}
+
+/// The numbers of the points by their distance from a place.
+Buffer<Index> RankByDistance(const Buffer<Vec3>& points, const Vec3& mean)
+{
+  Buffer<double> distances(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    distances[i] = (points[i] - mean).squaredNorm();
+  }
+  Buffer<Index> ranked(points.size());
+  std::iota(ranked.begin(), ranked.end(), Index(0));
+  std::sort(ranked.begin(), ranked.end(),
+    [&](Index a, Index b)
+    { return distances[a] != distances[b] ? distances[a] < distances[b] : a < b; });
+  return ranked;
+}
+
+/// 1 for points of the sample, 2 for those to be judged.
+Buffer<unsigned char> ChooseSample(const Buffer<Vec3>& points, const Buffer<Index>& ranked,
+  std::size_t parts)
+{
+  Buffer<unsigned char> chosen(points.size(), 2);
+  if (points.size() <= parts * PartPoints)
+  {
+    return chosen;
+  }
+  std::fill(chosen.begin(), chosen.end(), static_cast<unsigned char>(0));
+  const KdTree tree(points);
+  std::vector<Index> found;
+  for (std::size_t part = 0; part < parts; ++part)
+  {
+    const Index centre = ranked[(2 * part + 1) * points.size() / (2 * parts)];
+    tree.Nearest(points[centre], PartPoints, found);
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      unsigned char& mark = chosen[found[k]];
+      mark = std::max(mark, static_cast<unsigned char>(k < InnerPoints ? 2 : 1));
+    }
+  }
+  return chosen;
+}
+
+}
+
+CloudRisk::CloudRisk(const Buffer<Vec3>& points, double spacing, double deviation,
+  std::size_t parts, Execution& execution)
+  : Deviation(deviation)
+  , Step(std::max(0.5 * deviation, 1e-4 * spacing))
+{
+  const Buffer<Vec3> ordered = Gather(points, FindPointOrder(points, {}, execution));
+  const Vec3 mean = MeanOf(ordered, execution);
+  const Buffer<Index> ranked = RankByDistance(ordered, mean);
+  const Buffer<unsigned char> chosen = ChooseSample(ordered, ranked, parts);
+  Buffer<Index> numbers(ordered.size(), NoIndex);
+  for (std::size_t i = 0; i < ordered.size(); ++i)
+  {
+    if (chosen[i] > 0)
+    {
+      numbers[i] = static_cast<Index>(this->Sample.size());
+      this->Sample.push_back(ordered[i]);
+    }
+  }
+  const NeighborGraph nearest = NearestPoints(this->Sample, NormalNeighbors, execution);
+  this->Directions = PlaneFitNormals(this->Sample, nearest, NormalNeighbors, execution);
+  // Signs that look random: bits of a hash of the rank.
+  for (std::size_t rank = 0; rank < ranked.size(); ++rank)
+  {
+    const Index i = ranked[rank];
+    if (chosen[i] == 0)
+    {
+      continue;
+    }
+    Vec3& direction = this->Directions[numbers[i]];
+    std::uint64_t hash = (rank + 1) * 0x9E3779B97F4A7C15ull;
+    hash = (hash ^ (hash >> 31)) * 0xBF58476D1CE4E5B9ull;
+    // The sign of a normal is arbitrary: take the one that points away from the mean.
+    const Vec3 out = this->Sample[numbers[i]] - mean;
+    const bool flip = (direction.dot(out) < 0.0) != (((hash >> 40) & 1) != 0);
+    direction *= chosen[i] < 2 ? 0.0 : flip ? -1.0 : 1.0;
+    this->Judged += direction.isZero(0.0) ? 0 : 1;
+  }
+}
+
+Buffer<Vec3> CloudRisk::Run(const PointDenoisingSettings& settings, Buffer<Vec3> positions,
+  Execution& execution) const
+{
+  PointCloud cloud;
+  cloud.Positions = std::move(positions);
+  PointDenoisingReport report;
+  return DenoisePoints(cloud, settings, report, execution) ? std::move(cloud.Positions)
+                                                           : Buffer<Vec3>();
+}
+
+double CloudRisk::Of(const PointDenoisingSettings& settings, Execution& execution) const
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const Buffer<Vec3>& before = this->Sample;
+  auto movedBy = [&](double step)
+  {
+    Buffer<Vec3> moved = before;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+    {
+      moved[i] += step * this->Directions[i];
+    }
+    return this->Run(settings, std::move(moved), execution);
+  };
+  const Buffer<Vec3> plus = movedBy(this->Step);
+  const Buffer<Vec3> minus = plus.empty() ? Buffer<Vec3>() : movedBy(-this->Step);
+  if (minus.empty() || this->Judged == 0)
+  {
+    return none;
+  }
+  auto along = [&](const Buffer<Vec3>& after, std::size_t i)
+  { return this->Directions[i].dot(after[i] - before[i]); };
+  const double squares = OrderedSum(execution, before.size(), 0.0,
+    [&](std::size_t i)
+    {
+      const double up = along(plus, i);
+      const double down = along(minus, i);
+      return (up * up + down * down) / 2.0;
+    });
+  const double derivatives = OrderedSum(execution, before.size(), 0.0,
+    [&](std::size_t i) { return (along(plus, i) - along(minus, i)) / (2.0 * this->Step); });
+  const double judged = static_cast<double>(this->Judged);
+  const double noise = this->Deviation * this->Deviation;
+  return squares / judged / noise + 2.0 * derivatives / judged - 1.0;
+}
+
+}

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The estimated noise of clouds against the known one, and their outliers.
+
+#include "Automatic/CloudNoise.h"
+
+#include "Noise.h"
+#include "NoisyClouds.h"
+#include "OddThreads.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace SurfaceDenoising;
+
+namespace
+{
+
+/// Noise along the normals, in spacings.
+Buffer<Vec3> Noisy(const SurfaceCloud& cloud, double level, std::uint64_t seed)
+{
+  NoiseParameters parameters;
+  parameters.Deviation = level * cloud.Spacing;
+  parameters.Seed = seed;
+  const NoiseSource source(parameters, cloud.Positions.size());
+  Buffer<Vec3> positions = cloud.Positions;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    positions[i] += source.Amplitude(i) * cloud.Normals[i];
+  }
+  return positions;
+}
+
+/// A sphere with waves of a tenth of its radius, some six spacings from crest to trough: organic.
+SurfaceCloud WavyCloud(int count)
+{
+  SurfaceCloud cloud = SphereCloud(count);
+  for (Vec3& p : cloud.Positions)
+  {
+    p *= 1.0 + 0.1 * std::sin(9.0 * p[0]) * std::sin(9.0 * p[1]) * std::sin(9.0 * p[2]);
+  }
+  return cloud;
+}
+
+CloudNoise Estimate(const Buffer<Vec3>& points)
+{
+  Execution serial;
+  return EstimateNoise(points, serial);
+}
+
+/// Estimates over the truth are within these bounds for all levels.
+void ExpectRatios(const SurfaceCloud& cloud, double least, double most)
+{
+  for (const double level : { 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1.0 })
+  {
+    for (const std::uint64_t seed : { 1, 2 })
+    {
+      const CloudNoise noise = Estimate(Noisy(cloud, level, seed));
+      const double ratio = noise.Deviation / (level * cloud.Spacing);
+      EXPECT_GT(ratio, least) << level;
+      EXPECT_LT(ratio, most) << level;
+      EXPECT_LT(noise.OutlierShare(), 0.003) << level;
+    }
+  }
+}
+
+}
+
+TEST(CloudNoise, KnownNoiseOnASphere) { ExpectRatios(SphereCloud(3000), 0.95, 1.05); }
+
+TEST(CloudNoise, KnownNoiseOnACube) { ExpectRatios(CubeCloud(22), 0.95, 1.16); }
+
+TEST(CloudNoise, KnownNoiseOnAWedge) { ExpectRatios(WedgeCloud(45, 30), 0.9, 1.12); }
+
+TEST(CloudNoise, KnownNoiseOnWaves) { ExpectRatios(WavyCloud(3000), 0.8, 1.16); }
+
+TEST(CloudNoise, NoNoiseOnCleanSurfaces)
+{
+  EXPECT_LT(Estimate(SphereCloud(3000).Positions).Level(), 1e-3);
+  EXPECT_LT(Estimate(CubeCloud(22).Positions).Level(), 1e-9);
+  EXPECT_LT(Estimate(WavyCloud(3000).Positions).Level(), 0.01);
+}
+
+TEST(CloudNoise, FindsOutliersAndIsNotFooledByThem)
+{
+  const SurfaceCloud sphere = SphereCloud(3000);
+  Buffer<Vec3> points = Noisy(sphere, 0.2, 3);
+  const NoiseSource source({ NoiseKind::Gaussian, 1.0, 0.0, 7 }, points.size());
+  std::vector<std::size_t> off;
+  std::vector<std::size_t> far;
+  for (std::size_t i = 10; i < points.size(); i += 100)
+  {
+    (i % 200 == 10 ? off : far).push_back(i);
+    points[i] *= i % 200 == 10 ? 1.0 + 5.0 * sphere.Spacing : 3.0;
+  }
+  const CloudNoise noise = Estimate(points);
+  for (const std::size_t i : off)
+  {
+    EXPECT_EQ(noise.Outliers[i], 1) << i;
+  }
+  for (const std::size_t i : far)
+  {
+    EXPECT_EQ(noise.Outliers[i], 1) << i;
+  }
+  EXPECT_EQ(noise.Far + noise.Off, off.size() + far.size());
+  EXPECT_NEAR(noise.OutlierShare(), 0.01, 1e-12);
+  EXPECT_NEAR(noise.Deviation / sphere.Spacing, 0.2, 0.01);
+}
+
+TEST(CloudNoise, NeitherOrderNorThreadsNorPlacementMatter)
+{
+  const SurfaceCloud cube = CubeCloud(15);
+  const Buffer<Vec3> points = Noisy(cube, 0.3, 5);
+  const CloudNoise expected = Estimate(points);
+  OddThreads threads(3);
+  EXPECT_EQ(EstimateNoise(points, threads).Deviation, expected.Deviation);
+  EXPECT_EQ(Estimate(Buffer<Vec3>(points.rbegin(), points.rend())).Deviation, expected.Deviation);
+
+  const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+  Buffer<Vec3> moved = points;
+  for (Vec3& p : moved)
+  {
+    p = 1e4 * (turn * p) + Vec3(5e4, -3e4, 1e4);
+  }
+  EXPECT_NEAR(Estimate(moved).Deviation / 1e4, expected.Deviation, 1e-8);
+  EXPECT_NEAR(Estimate(moved).Level(), expected.Level(), 1e-8);
+}
+
+TEST(CloudNoise, OddInput)
+{
+  EXPECT_EQ(Estimate({}).Finite, 0u);
+  EXPECT_EQ(Estimate({ Vec3(1.0, 2.0, 3.0) }).Deviation, 0.0);
+  EXPECT_EQ(Estimate(Buffer<Vec3>(100, Vec3(1.0, 2.0, 3.0))).Level(), 0.0);
+  Buffer<Vec3> line;
+  for (int i = 0; i < 100; ++i)
+  {
+    line.push_back(Vec3(i, 2.0 * i, -i));
+  }
+  EXPECT_EQ(Estimate(line).Deviation, 0.0);
+
+  Buffer<Vec3> points = Noisy(SphereCloud(1500), 0.2, 4);
+  const double expected = Estimate(points).Deviation;
+  points.insert(points.begin(), Vec3(0.0, std::numeric_limits<double>::quiet_NaN(), 1.0));
+  points.push_back(Vec3(std::numeric_limits<double>::infinity(), 0.0, 0.0));
+  const CloudNoise noise = Estimate(points);
+  EXPECT_EQ(noise.Finite, 1500u);
+  EXPECT_EQ(noise.Deviation, expected);
+  EXPECT_EQ(noise.Outliers.size(), 1502u);
+  EXPECT_EQ(noise.Outliers[0], 0);
+}
