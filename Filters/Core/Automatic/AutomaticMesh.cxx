@@ -19,7 +19,7 @@ namespace
 /// Faces that chains are tried on: enough to tell them apart, few enough to try them all.
 constexpr std::size_t SampleFaces = 20000;
 /// Noise below this, in mean edge lengths, is not told from the shape of coarse meshes.
-constexpr double LeastLevel = 0.02;
+constexpr double LeastLevel = 0.035;
 /// Noise that is taken for too strong costs a little detail, noise that is taken for too weak
 /// leaves most of it: the assumed noise is somewhat above what was found.
 constexpr double Caution = 1.1;
