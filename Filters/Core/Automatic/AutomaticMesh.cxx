@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -23,6 +24,12 @@ constexpr double LeastLevel = 0.035;
 /// Noise that is taken for too strong costs a little detail, noise that is taken for too weak
 /// leaves most of it: the assumed noise is somewhat above what was found.
 constexpr double Caution = 1.1;
+/// The same for surfaces with so many folded faces that the noise has any direction. It is stronger
+/// than its part along the normals looks.
+constexpr double CautionIfFolded = 1.3;
+constexpr double StronglyFolded = 0.02;
+/// Folded faces from which on it is worth to take folds out first.
+constexpr double SlightlyFolded = 0.01;
 
 std::string Describe(const SurfaceNoise& noise)
 {
@@ -68,32 +75,37 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
                                  : "A strength of 0: nothing to do";
     return execution.Proceed(1.0);
   }
-  const ChainRisk risk(sample, Caution * strength * plan.Noise.Deviation, PilotChain(), execution);
-  const CandidateChain* best = nullptr;
-  double least = risk.Of({}, execution);
-  const std::vector<CandidateChain>& chains = CandidateChains();
-  for (std::size_t k = 0; k < chains.size(); ++k)
+  ChainRisk risk(sample, PilotChain(), execution);
+  const bool folded = risk.FoldedShare() > StronglyFolded;
+  risk.Assume((folded ? CautionIfFolded : Caution) * strength * plan.Noise.Deviation);
+  // The first candidate is to do nothing.
+  std::vector<const CandidateChain*> candidates(1, nullptr);
+  for (const CandidateChain& chain : CandidateChains())
   {
-    const double count = double(chains.size());
+    if (!chain.Unfolds || risk.FoldedShare() > SlightlyFolded)
+    {
+      candidates.push_back(&chain);
+    }
+  }
+  std::vector<GroupRisks> risks(candidates.size());
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+  {
+    const double count = double(candidates.size());
     ProgressShare share(execution, double(k) / count, double(k + 1) / count);
-    const double error = risk.Of(chains[k].Steps, share);
-    if (std::isnan(error))
+    if (!risk.Of(candidates[k] ? candidates[k]->Steps : MethodChain(), risks[k], share))
     {
       return false;
     }
-    if (error < least)
-    {
-      least = error;
-      best = &chains[k];
-    }
   }
+  const std::size_t best = LeastRisk(risks);
   plan.Reason = Describe(plan.Noise);
-  if (best)
+  if (best > 0)
   {
-    plan.Steps = best->Steps;
-    plan.Methods = best->Methods;
-    plan.Reason += std::string(", ") + best->Purpose;
-    plan.ExpectedError = std::max(0.0, least);
+    plan.Steps = candidates[best]->Steps;
+    plan.Methods = candidates[best]->Methods;
+    plan.Reason += std::string(", ") + candidates[best]->Purpose;
+    plan.ExpectedError = std::max(0.0,
+      std::accumulate(risks[best].begin(), risks[best].end(), 0.0) / double(RiskGroups));
   }
   else
   {

@@ -55,10 +55,11 @@ Part Narrow()
   return part;
 }
 
-CandidateChain Chain(const char* purpose, const std::vector<Part>& parts)
+CandidateChain Chain(const char* purpose, const std::vector<Part>& parts, bool unfolds = false)
 {
   CandidateChain chain;
   chain.Purpose = purpose;
+  chain.Unfolds = unfolds;
   for (const Part& part : parts)
   {
     chain.Methods.push_back(part.Id);
@@ -89,8 +90,8 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain("curved surface with edges", { Wide(10, 0.2) }),
     Chain(sides, { Wide(15, 0.05), Narrow() }),
     Chain(sides, { Wide(15, 0.1), Narrow() }),
-    Chain(folded, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }),
-    Chain(folded, { Diffusion(90.0, 2), Wide(15, 0.05), Narrow() }),
+    Chain(folded, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }, true),
+    Chain(folded, { Diffusion(90.0, 2), Wide(15, 0.05), Narrow() }, true),
   };
   return chains;
 }

@@ -17,7 +17,8 @@ namespace SurfaceDenoising
 
 struct CandidateChain
 {
-  const char* Purpose; ///< completes "chosen: "
+  const char* Purpose; ///< what it is for, for people
+  bool Unfolds;        ///< takes folds out first, at the cost of detail
   std::vector<Method> Methods;
   MethodChain Steps;
 };

@@ -18,7 +18,9 @@ namespace
 /// b, the step of the derivative in deviations of the noise.
 constexpr double Step = 0.3;
 /// What a folded face costs, in mean square errors of the input.
-constexpr double FoldCost = 4.0;
+constexpr double FoldCost = 0.5;
+/// Risks that differ by less are the same.
+constexpr double Softening = 0.003;
 
 }
 
@@ -39,10 +41,8 @@ bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Buffer<Vec3>& normal
   return true;
 }
 
-ChainRisk::ChainRisk(const MeshSample& sample, double deviation, const MethodChain& pilot,
-  Execution& execution)
+ChainRisk::ChainRisk(const MeshSample& sample, const MethodChain& pilot, Execution& execution)
   : Sample(sample)
-  , Deviation(deviation)
 {
   TriangleMesh smooth = sample.Mesh;
   Buffer<Vec3> normals;
@@ -78,14 +78,54 @@ ChainRisk::ChainRisk(const MeshSample& sample, double deviation, const MethodCha
     }
   }
 
-  this->Plus = sample.Mesh;
-  this->Minus = sample.Mesh;
+  this->Group(vertexNormals);
+}
+
+void ChainRisk::Group(const Buffer<Vec3>& vertexNormals)
+{
+  this->VertexNormals.resize(vertexNormals.size());
+  for (std::size_t v = 0; v < vertexNormals.size(); ++v)
+  {
+    this->VertexNormals[v] = vertexNormals[v].stableNormalized();
+  }
+  const TriangleMesh& mesh = this->Sample.Mesh;
+  Buffer<Index> order;
+  Buffer<double> bends(mesh.NumberOfFaces());
+  std::size_t folded = 0;
+  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    bends[f] = 0.0;
+    for (const Index v : mesh.Triangles[f])
+    {
+      bends[f] += (this->Normals[f] - this->VertexNormals[v]).squaredNorm();
+    }
+    if (this->Traces[f] > 0.0)
+    {
+      order.push_back(static_cast<Index>(f));
+      folded += mesh.DoubleAreaVector(f).dot(this->Normals[f]) < 0.0 ? 1 : 0;
+    }
+  }
+  this->Folded = order.empty() ? 0.0 : double(folded) / double(order.size());
+  std::sort(order.begin(), order.end(),
+    [&](Index a, Index b) { return bends[a] < bends[b] || (bends[a] == bends[b] && a < b); });
+  this->Groups.resize(RiskGroups);
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    this->Groups[k * RiskGroups / order.size()].push_back(order[k]);
+  }
+}
+
+void ChainRisk::Assume(double deviation)
+{
+  this->Deviation = deviation;
+  this->Plus = this->Sample.Mesh;
+  this->Minus = this->Sample.Mesh;
   NoiseParameters parameters;
   parameters.Deviation = Step * deviation;
-  const NoiseSource noise(parameters, sample.Mesh.NumberOfVertices());
-  for (std::size_t v = 0; v < sample.Mesh.NumberOfVertices(); ++v)
+  const NoiseSource noise(parameters, this->Sample.Mesh.NumberOfVertices());
+  for (std::size_t v = 0; v < this->VertexNormals.size(); ++v)
   {
-    const Vec3 step = noise.Amplitude(sample.Keys[v]) * vertexNormals[v].stableNormalized();
+    const Vec3 step = noise.Amplitude(this->Sample.Keys[v]) * this->VertexNormals[v];
     this->Plus.Positions[v] += step;
     this->Minus.Positions[v] -= step;
   }
@@ -102,7 +142,7 @@ Vec3 ChainRisk::Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size
   return turn;
 }
 
-double ChainRisk::Of(const MethodChain& chain, Execution& execution) const
+bool ChainRisk::Of(const MethodChain& chain, GroupRisks& risks, Execution& execution) const
 {
   TriangleMesh plus = this->Plus;
   TriangleMesh minus = this->Minus;
@@ -113,27 +153,46 @@ double ChainRisk::Of(const MethodChain& chain, Execution& execution) const
   if (!RunChain(plus, chain, normals, report, first) ||
     !RunChain(minus, chain, normals, report, second))
   {
-    return std::numeric_limits<double>::quiet_NaN();
+    return false;
   }
-  // Sums of the risk, of faces, and of folded faces.
-  const Vec3 sums = OrderedSum(execution, plus.NumberOfFaces(), Vec3(0.0, 0.0, 0.0),
-    [&](std::size_t f) -> Vec3
-    {
-      const double noise = this->Deviation * this->Deviation * this->Traces[f];
-      if (!(noise > 0.0))
+  for (std::size_t g = 0; g < RiskGroups; ++g)
+  {
+    const Buffer<Index>& group = this->Groups[g];
+    const double sum = OrderedSum(execution, group.size(), 0.0,
+      [&](std::size_t k)
       {
-        return Vec3::Zero();
-      }
-      const double removed = 0.5 *
-        (this->Turn(plus.Positions, this->Plus.Positions, f).squaredNorm() +
-          this->Turn(minus.Positions, this->Minus.Positions, f).squaredNorm());
-      const double kept = this->Turn(plus.Positions, minus.Positions, f)
-                            .dot(this->Turn(this->Plus.Positions, this->Minus.Positions, f)) /
-        (4.0 * Step * Step);
-      const double folded = plus.DoubleAreaVector(f).dot(this->Normals[f]) < 0.0 ? 1.0 : 0.0;
-      return Vec3((removed + 2.0 * kept) / noise - 1.0, 1.0, folded);
-    });
-  return sums[1] > 0.0 ? (sums[0] + FoldCost * sums[2]) / sums[1] : 0.0;
+        const Index f = group[k];
+        const double noise = this->Deviation * this->Deviation * this->Traces[f];
+        const double removed = 0.5 *
+          (this->Turn(plus.Positions, this->Plus.Positions, f).squaredNorm() +
+            this->Turn(minus.Positions, this->Minus.Positions, f).squaredNorm());
+        const double kept = this->Turn(plus.Positions, minus.Positions, f)
+                              .dot(this->Turn(this->Plus.Positions, this->Minus.Positions, f)) /
+          (4.0 * Step * Step);
+        const double folded = plus.DoubleAreaVector(f).dot(this->Normals[f]) < 0.0 ? 1.0 : 0.0;
+        return (removed + 2.0 * kept) / noise - 1.0 + FoldCost * folded;
+      });
+    risks[g] = group.empty() ? 0.0 : sum / double(group.size());
+  }
+  return true;
+}
+
+std::size_t LeastRisk(const std::vector<GroupRisks>& risks)
+{
+  std::vector<double> sums(risks.size(), 0.0);
+  for (std::size_t g = 0; g < RiskGroups; ++g)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const GroupRisks& risk : risks)
+    {
+      least = std::min(least, risk[g]);
+    }
+    for (std::size_t k = 0; k < risks.size(); ++k)
+    {
+      sums[k] += std::sqrt(risks[k][g] - least + Softening);
+    }
+  }
+  return std::size_t(std::min_element(sums.begin(), sums.end()) - sums.begin());
 }
 
 }

@@ -18,7 +18,8 @@
  * over the jumps that robust weights make.
  *
  * Every face counts in units of its own noise, sigma^2 tr(J_f^T J_f), so that small faces, which
- * noise turns most, do not outweigh all others. Nothing means that a risk is not negative.
+ * noise turns most, do not outweigh all others. Risks are means over groups of faces, from the
+ * flattest surroundings to the sharpest. Nothing means that a risk is not negative.
  */
 
 #ifndef SurfaceDenoising_ChainRisk_h
@@ -38,34 +39,55 @@ using MethodChain = std::vector<MeshDenoisingSettings>;
 bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Buffer<Vec3>& normals,
   MeshDenoisingReport& report, Execution& execution);
 
+/// Risks of the groups of faces, in units of the noise of the input.
+constexpr std::size_t RiskGroups = 8;
+using GroupRisks = std::array<double, RiskGroups>;
+
 class ChainRisk
 {
 public:
-  /**
-   * The sample must outlive this. deviation is sigma, above 0; pilot makes a smooth surface of the
-   * sample, whose faces define J.
-   */
-  ChainRisk(const MeshSample& sample, double deviation, const MethodChain& pilot,
-    Execution& execution);
+  /// The sample must outlive this. pilot makes a smooth surface of the sample, whose faces define
+  /// J.
+  ChainRisk(const MeshSample& sample, const MethodChain& pilot, Execution& execution);
+
+  /// Share of the faces of the input that look away from those of the pilot: noise in all
+  /// directions folds a surface, noise along its normals hardly.
+  double FoldedShare() const { return this->Folded; }
+
+  /// Sets sigma, a length above 0. To be called before Of.
+  void Assume(double deviation);
 
   /**
    * The estimated mean square error of the normals after the chain, over that of the input (which
-   * is 1). Plus 4 times the share of faces that look away from the pilot: folds are no small angles
-   * and J does not see them. NaN if the execution asked to stop. An empty chain is the input.
+   * is about 1), per group. Plus half the share of faces that look away from the pilot: folds are
+   * no small angles and J does not see them all. An empty chain is the input. Returns false if the
+   * execution asked to stop.
    */
-  double Of(const MethodChain& chain, Execution& execution) const;
+  bool Of(const MethodChain& chain, GroupRisks& risks, Execution& execution) const;
 
 private:
+  void Group(const Buffer<Vec3>& vertexNormals);
   Vec3 Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size_t face) const;
 
   const MeshSample& Sample;
-  double Deviation;
+  double Deviation = 0.0;
+  double Folded = 0.0;
   Buffer<Vec3> Normals;                  ///< of the pilot's faces
+  Buffer<Vec3> VertexNormals;            ///< of the pilot
   Buffer<std::array<Vec3, 3>> Gradients; ///< of the hat functions of the corners
   Buffer<double> Traces;                 ///< tr(J_f^T J_f); 0: not counted
+  std::vector<Buffer<Index>> Groups;     ///< faces that count, flat ones first
   TriangleMesh Plus;
   TriangleMesh Minus;
 };
+
+/**
+ * The number of the best of some risks, the first of several. What an angle is worth falls with its
+ * size: least is the sum over the groups of sqrt(R_g - min R_g + 0.003), in the manner of a mean
+ * angle, with the minimum over all risks. A chain that is good everywhere but at the edges is
+ * better than one that is a little worse everywhere.
+ */
+std::size_t LeastRisk(const std::vector<GroupRisks>& risks);
 
 }
 
