@@ -28,8 +28,9 @@ constexpr double Caution = 1.1;
 /// than its part along the normals looks.
 constexpr double CautionIfFolded = 1.3;
 constexpr double StronglyFolded = 0.02;
-/// Folded faces from which on it is worth to take folds out first.
+/// Folded faces, or noise in mean edge lengths, from which on it is worth to take folds out first.
 constexpr double SlightlyFolded = 0.01;
+constexpr double StrongLevel = 0.4;
 
 std::string Describe(const SurfaceNoise& noise)
 {
@@ -82,7 +83,7 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
   std::vector<const CandidateChain*> candidates(1, nullptr);
   for (const CandidateChain& chain : CandidateChains())
   {
-    if (!chain.Unfolds || risk.FoldedShare() > SlightlyFolded)
+    if (!chain.Unfolds || risk.FoldedShare() > SlightlyFolded || plan.Noise.Level > StrongLevel)
     {
       candidates.push_back(&chain);
     }

@@ -89,7 +89,7 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain("curved surface with edges", { Diffusion(90.0, 3), Diffusion(40.0, 3) }),
     Chain("curved surface with edges", { Wide(10, 0.2) }),
     Chain(sides, { Wide(15, 0.05), Narrow() }),
-    Chain(sides, { Wide(15, 0.1), Narrow() }),
+    Chain(folded, { Wide(15, 0.1), Narrow() }, true),
     Chain(folded, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }, true),
     Chain(folded, { Diffusion(90.0, 2), Wide(15, 0.05), Narrow() }, true),
   };
