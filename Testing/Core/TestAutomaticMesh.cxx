@@ -108,6 +108,32 @@ TEST(AutomaticMesh, StrengthRemovesMore)
   }
 }
 
+// Impulses are taken out, and what they left alone stays to the bit.
+TEST(AutomaticMesh, RepairsImpulsesAlone)
+{
+  for (const AutomaticShape& shape : AutomaticShapes())
+  {
+    const TriangleMesh clean = shape.Make();
+    const double edge = EdgeLengthOf(clean);
+    TriangleMesh mesh = clean;
+    PortableRandom random(9);
+    for (Vec3& p : mesh.Positions)
+    {
+      p += random.Uniform() < 0.1 ? Vec3(0.7 * edge * random.Direction()) : Vec3(0.0, 0.0, 0.0);
+    }
+    const double before = Measure(mesh, clean).MeanAngle;
+    const AutomaticReport report = Automatic(mesh);
+    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.5 * before) << shape.Name;
+    EXPECT_GT(report.RepairedVertices, 0.05 * double(mesh.NumberOfVertices())) << shape.Name;
+    std::size_t same = 0;
+    for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
+    {
+      same += mesh.Positions[v] == clean.Positions[v] ? 1 : 0;
+    }
+    EXPECT_GT(same, 0.7 * double(mesh.NumberOfVertices())) << shape.Name;
+  }
+}
+
 TEST(AutomaticMesh, ThreadsDoNotMatter)
 {
   TriangleMesh one = Noisy(Cube(8), 0.2);

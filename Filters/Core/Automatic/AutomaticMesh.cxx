@@ -6,6 +6,7 @@
 #include "../Stopwatch.h"
 #include "CandidateChains.h"
 #include "ProgressShare.h"
+#include "SpikeRepair.h"
 
 #include <cmath>
 #include <cstdio>
@@ -18,7 +19,7 @@ namespace
 {
 
 /// Faces that chains are tried on: enough to tell them apart, few enough to try them all.
-constexpr std::size_t SampleFaces = 20000;
+constexpr std::size_t SampleFaces = 15000;
 /// Noise below this, in mean edge lengths, is not told from the shape of coarse meshes.
 constexpr double LeastLevel = 0.035;
 /// Noise that is taken for too strong costs a little detail, noise that is taken for too weak
@@ -120,11 +121,20 @@ bool DenoiseAutomatically(TriangleMesh& mesh, double strength, AutomaticReport& 
 {
   report = AutomaticReport();
   PreparedMesh prepared(mesh);
-  ProgressShare plan(execution, 0.0, 0.5);
-  ProgressShare denoise(execution, 0.5, 1.0);
+  ProgressShare repair(execution, 0.0, 0.1);
+  ProgressShare plan(execution, 0.1, 0.6);
+  ProgressShare denoise(execution, 0.6, 1.0);
+  Buffer<Vec3> before;
   {
     const Stopwatch stopwatch(report.PlanSeconds);
-    if (!prepared.Prepare(execution) ||
+    if (!prepared.Prepare(execution))
+    {
+      return false;
+    }
+    before = prepared.Mesh().Positions;
+    if ((strength > 0.0 &&
+          !RepairSpikes(prepared.Mesh(), prepared.Stars(), prepared.Edges(),
+            report.RepairedVertices, repair)) ||
       !PlanDenoising(prepared.Mesh(), strength, report.Plan, plan))
     {
       return false;
@@ -134,12 +144,14 @@ bool DenoiseAutomatically(TriangleMesh& mesh, double strength, AutomaticReport& 
   if (!report.Plan.Steps.empty())
   {
     const Stopwatch stopwatch(report.DenoiseSeconds);
-    const Buffer<Vec3> before = prepared.Mesh().Positions;
     Buffer<Vec3> normals;
     if (!RunChain(prepared.Mesh(), report.Plan.Steps, normals, report.Last, denoise))
     {
       return false;
     }
+  }
+  if (facts.MeanEdgeLength > 0.0)
+  {
     report.Removed = RemovedAlongNormals(prepared.Mesh(), before, execution) / facts.MeanEdgeLength;
   }
   // Facts of the mesh as it came: the work sees it without seams.

@@ -5,10 +5,11 @@
  * @file AutomaticMesh.h
  * @brief Denoises a mesh without being told anything.
  *
- * The noise of the surface is estimated (SurfaceNoise.h). Without noise, nothing is done. Otherwise
- * some chains of published methods, weak and strong ones, for flat sides with sharp edges and for
- * organic shapes, are tried on the mesh, or on patches of a large one, and the chain whose normals
- * are expected to have the smallest error (ChainRisk.h) is run.
+ * Spikes of impulsive noise are repaired (SpikeRepair.h) before anything else, and no other vertex
+ * is touched for it. The noise of the surface is estimated (SurfaceNoise.h). Without noise, nothing
+ * is done. Otherwise some chains of published methods, weak and strong ones, for flat sides with
+ * sharp edges and for organic shapes, are tried on the mesh, or on patches of a large one, and the
+ * chain whose normals are expected to have the smallest error (ChainRisk.h) is run.
  */
 
 #ifndef SurfaceDenoising_AutomaticMesh_h
@@ -38,7 +39,8 @@ struct AutomaticPlan
 struct AutomaticReport
 {
   AutomaticPlan Plan;
-  MeshDenoisingReport Last; ///< of the last step; facts of the mesh also without any
+  MeshDenoisingReport Last;         ///< of the last step; facts of the mesh also without any
+  std::size_t RepairedVertices = 0; ///< spikes of impulsive noise, see SpikeRepair.h
   /// Root mean square of what was removed: displacements along the normals of the result, in mean
   /// edge lengths of the input.
   double Removed = 0.0;

@@ -214,7 +214,7 @@ SurfaceNoise EstimateNoise(const TriangleMesh& mesh, const CompressedRows& stars
 }
 
 Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
-  Execution& execution)
+  Execution& execution, double least)
 {
   const std::size_t count = mesh.NumberOfVertices();
   const EdgeCensus census = TakeEdgeCensus(mesh, stars, execution);
@@ -257,7 +257,7 @@ Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows&
         }
         if (heights.size() >= 4)
         {
-          distances[v] = Percentile(heights, 0.25);
+          distances[v] = Percentile(heights, 0.15);
         }
       }
     },
@@ -265,13 +265,42 @@ Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows&
   Buffer<double> values;
   std::copy_if(distances.begin(), distances.end(), std::back_inserter(values),
     [](double value) { return std::isfinite(value); });
-  const double limit = std::max(6.0 * Median(values), 0.05 * census.MeanEdgeLength);
+  const double limit = std::max(4.0 * Median(values), least * census.MeanEdgeLength);
   Buffer<unsigned char> spikes(count);
   for (std::size_t v = 0; v < count; ++v)
   {
     spikes[v] = distances[v] > limit ? 1 : 0;
   }
   return spikes;
+}
+
+bool AreImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
+  const Buffer<unsigned char>& spikes, Execution& execution)
+{
+  const CompressedRows rings = VertexRings(mesh, stars, execution);
+  std::size_t used = 0;
+  std::size_t count = 0;
+  std::size_t neighbors = 0;
+  std::size_t both = 0;
+  for (std::size_t v = 0; v < spikes.size(); ++v)
+  {
+    used += stars.Row(v).size() > 0 ? 1 : 0;
+    if (spikes[v])
+    {
+      ++count;
+      neighbors += rings.Row(v).size();
+      for (const Index w : rings.Row(v))
+      {
+        both += spikes[w];
+      }
+    }
+  }
+  if (used == 0 || neighbors == 0)
+  {
+    return false;
+  }
+  const double share = double(count) / double(used);
+  return share > 0.022 && double(both) / double(neighbors) < 0.03 + 2.0 * share;
 }
 
 }
