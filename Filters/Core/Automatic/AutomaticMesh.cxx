@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "AutomaticMesh.h"
+
+#include "../Stopwatch.h"
+#include "CandidateChains.h"
+#include "ProgressShare.h"
+#include "SpikeRepair.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// Faces that chains are tried on: enough to tell them apart, few enough to try them all.
+constexpr std::size_t SampleFaces = 15000;
+/// Noise below this, in mean edge lengths, is not told from the shape of coarse meshes.
+constexpr double LeastLevel = 0.035;
+/// Noise that is taken for too strong costs a little detail, noise that is taken for too weak
+/// leaves most of it: the assumed noise is somewhat above what was found.
+constexpr double Caution = 1.1;
+/// The same for surfaces with so many folded faces that the noise has any direction. It is stronger
+/// than its part along the normals looks.
+constexpr double CautionIfFolded = 1.3;
+constexpr double StronglyFolded = 0.02;
+/// Folded faces, or noise in mean edge lengths, from which on it is worth to take folds out first.
+constexpr double SlightlyFolded = 0.01;
+constexpr double StrongLevel = 0.4;
+
+std::string Describe(const SurfaceNoise& noise)
+{
+  char text[128];
+  std::snprintf(text, sizeof(text), "Noise of %.2f mean edge lengths (%.0f degrees)", noise.Level,
+    noise.NormalAngle);
+  return text;
+}
+
+/// Root mean square of the displacements along the area-weighted normals of the result.
+double RemovedAlongNormals(const TriangleMesh& mesh, const Buffer<Vec3>& before,
+  Execution& execution)
+{
+  Buffer<Vec3> normals(mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
+  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    for (const Index v : mesh.Triangles[f])
+    {
+      normals[v] += mesh.DoubleAreaVector(f);
+    }
+  }
+  const double sum = OrderedSum(execution, normals.size(), 0.0,
+    [&](std::size_t v)
+    {
+      const double height = normals[v].stableNormalized().dot(mesh.Positions[v] - before[v]);
+      return height * height;
+    });
+  return normals.empty() ? 0.0 : std::sqrt(sum / double(normals.size()));
+}
+
+}
+
+bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& plan,
+  Execution& execution)
+{
+  plan = AutomaticPlan();
+  strength = strength > 0.0 ? std::min(strength, 10.0) : 0.0;
+  const MeshSample sample = TakeSample(mesh, SampleFaces, execution);
+  plan.Noise = EstimateNoise(sample.Mesh, VertexStars(sample.Mesh), execution);
+  if (!(strength * plan.Noise.Level >= LeastLevel))
+  {
+    plan.Reason = strength > 0.0 ? Describe(plan.Noise) + " is none to speak of: nothing to do"
+                                 : "A strength of 0: nothing to do";
+    return execution.Proceed(1.0);
+  }
+  ChainRisk risk(sample, PilotChain(), execution);
+  const bool folded = risk.FoldedShare() > StronglyFolded;
+  risk.Assume((folded ? CautionIfFolded : Caution) * strength * plan.Noise.Deviation);
+  // The first candidate is to do nothing.
+  std::vector<const CandidateChain*> candidates(1, nullptr);
+  for (const CandidateChain& chain : CandidateChains())
+  {
+    if (!chain.Unfolds || risk.FoldedShare() > SlightlyFolded || plan.Noise.Level > StrongLevel)
+    {
+      candidates.push_back(&chain);
+    }
+  }
+  std::vector<GroupRisks> risks(candidates.size());
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+  {
+    const double count = double(candidates.size());
+    ProgressShare share(execution, double(k) / count, double(k + 1) / count);
+    if (!risk.Of(candidates[k] ? candidates[k]->Steps : MethodChain(), risks[k], share))
+    {
+      return false;
+    }
+  }
+  const std::size_t best = LeastRisk(risks);
+  plan.Reason = Describe(plan.Noise);
+  if (best > 0)
+  {
+    plan.Steps = candidates[best]->Steps;
+    plan.Methods = candidates[best]->Methods;
+    plan.Reason += std::string(", ") + candidates[best]->Purpose;
+    plan.ExpectedError = std::max(0.0,
+      std::accumulate(risks[best].begin(), risks[best].end(), 0.0) / double(RiskGroups));
+  }
+  else
+  {
+    plan.Reason += ", but no method would make it less: nothing to do";
+  }
+  return execution.Proceed(1.0);
+}
+
+bool DenoiseAutomatically(TriangleMesh& mesh, double strength, AutomaticReport& report,
+  Execution& execution)
+{
+  report = AutomaticReport();
+  PreparedMesh prepared(mesh);
+  ProgressShare repair(execution, 0.0, 0.1);
+  ProgressShare plan(execution, 0.1, 0.6);
+  ProgressShare denoise(execution, 0.6, 1.0);
+  Buffer<Vec3> before;
+  {
+    const Stopwatch stopwatch(report.PlanSeconds);
+    if (!prepared.Prepare(execution))
+    {
+      return false;
+    }
+    before = prepared.Mesh().Positions;
+    if ((strength > 0.0 &&
+          !RepairSpikes(prepared.Mesh(), prepared.Stars(), prepared.Edges(),
+            report.RepairedVertices, repair)) ||
+      !PlanDenoising(prepared.Mesh(), strength, report.Plan, plan))
+    {
+      return false;
+    }
+  }
+  const MeshFacts facts = prepared.Facts();
+  if (!report.Plan.Steps.empty())
+  {
+    const Stopwatch stopwatch(report.DenoiseSeconds);
+    Buffer<Vec3> normals;
+    if (!RunChain(prepared.Mesh(), report.Plan.Steps, normals, report.Last, denoise))
+    {
+      return false;
+    }
+  }
+  if (facts.MeanEdgeLength > 0.0)
+  {
+    report.Removed = RemovedAlongNormals(prepared.Mesh(), before, execution) / facts.MeanEdgeLength;
+  }
+  // Facts of the mesh as it came: the work sees it without seams.
+  static_cast<MeshFacts&>(report.Last) = facts;
+  prepared.Finish();
+  return execution.Proceed(1.0);
+}
+
+}

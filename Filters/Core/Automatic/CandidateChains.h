@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file CandidateChains.h
+ * @brief The chains of methods that the automatic choice is made from.
+ */
+
+#ifndef SurfaceDenoising_CandidateChains_h
+#define SurfaceDenoising_CandidateChains_h
+
+#include "../Methods.h"
+#include "ChainRisk.h"
+
+namespace SurfaceDenoising
+{
+
+struct CandidateChain
+{
+  const char* Purpose; ///< what it is for, for people
+  bool Unfolds;        ///< takes folds out first, at the cost of detail
+  std::vector<Method> Methods;
+  MethodChain Steps;
+};
+
+/// All of them, from weak to strong for each kind of surface. A new one is added here.
+const std::vector<CandidateChain>& CandidateChains();
+
+/// A smooth surface of any noisy one, to measure others against.
+MethodChain PilotChain();
+
+}
+
+#endif

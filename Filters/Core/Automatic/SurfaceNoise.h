@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file SurfaceNoise.h
+ * @brief How noisy a surface is, from the surface alone.
+ *
+ * A polynomial is fitted to the heights of the vertices around each vertex, in a frame of the
+ * smoothed normals, and predicts the height of the vertex itself. White noise of deviation sigma
+ * leaves a residual r of variance sigma^2 (1 + g), g the variance of the prediction for sigma = 1:
+ * r / sqrt(1 + g) has the deviation sigma whatever the polynomial and the neighbourhood. The shape
+ * of the surface does not: it is missed less by a cubic on two rings (s) than by a quadric on three
+ * (t). So the difference tells shape from noise,
+ *
+ *   sigma^2 = max(0, s^2 - (t^2 - s^2) / 4).
+ *
+ * s and t are the lower quartiles of |r| / sqrt(1 + g) over those of a normal distribution.
+ * Features are on the upper side and do not count as long as most of the surface has none.
+ */
+
+#ifndef SurfaceDenoising_SurfaceNoise_h
+#define SurfaceDenoising_SurfaceNoise_h
+
+#include "../TriangleMesh.h"
+
+namespace SurfaceDenoising
+{
+
+struct SurfaceNoise
+{
+  double Deviation = 0.0; ///< sigma of the displacements along the normals, a length
+  /// The same in mean edge lengths of the surface without the noise, l0^2 = l^2 - 1.56 sigma^2:
+  /// noise makes edges longer. At most 2.
+  double Level = 0.0;
+  /// Median over the faces of the root mean square angle by which that noise turns them, atan(sigma
+  /// sqrt(sum 1 / h_i^2)) with the heights h_i of the triangle; degrees, in [0, 90).
+  double NormalAngle = 0.0;
+  double SpikeShare = 0.0; ///< of the vertices that have faces: marked by FindSpikes
+  std::size_t Samples = 0; ///< vertices with a fit; without any, all of the above but spikes is 0
+};
+
+/**
+ * Estimates the noise of a mesh without seams (see PreparedMesh). Vertices on boundaries and those
+ * with fewer than 12 others within two rings have no fit. Turned, moved, scaled and renumbered
+ * meshes have the same noise, to rounding.
+ */
+SurfaceNoise EstimateNoise(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution);
+
+/**
+ * Marks vertices that stick out of the surface around them with 1. The planes of the faces that
+ * touch the ring of a vertex but not the vertex miss it by some distances, of which the 15%
+ * quantile counts: a vertex of a sharp edge or corner lies in the planes of its sides, a spike in
+ * none. It is a spike if that distance is above 4 medians over the mesh and above least mean edge
+ * lengths.
+ */
+Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution, double least = 0.1);
+
+/**
+ * True if the spikes are impulsive noise: at least 2.2% of the vertices, and scattered. A neighbour
+ * of a spike is one in at most a share of 0.03 + 2 p, p that of all vertices; narrow ridges, which
+ * look like spikes, are rows of them.
+ */
+bool AreImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
+  const Buffer<unsigned char>& spikes, Execution& execution);
+
+}
+
+#endif

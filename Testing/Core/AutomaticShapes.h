@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file AutomaticShapes.h
+ * @brief Clean shapes of known truth, smooth and sharp, and meshes with nothing to denoise.
+ */
+
+#ifndef AutomaticShapes_h
+#define AutomaticShapes_h
+
+#include "RandomMeshes.h"
+
+#include <cmath>
+#include <vector>
+
+struct AutomaticShape
+{
+  const char* Name;
+  SurfaceDenoising::TriangleMesh (*Make)();
+  bool Sharp;
+};
+
+inline double EdgeLengthOf(const SurfaceDenoising::TriangleMesh& mesh)
+{
+  SurfaceDenoising::Execution serial;
+  return TakeEdgeCensus(mesh, VertexStars(mesh), serial).MeanEdgeLength;
+}
+
+/// A torus of n times 2 n squares of two triangles.
+inline SurfaceDenoising::TriangleMesh Torus(int n)
+{
+  using namespace SurfaceDenoising;
+  TriangleMesh mesh;
+  const double step = 2.0 * 3.14159265358979323846 / n;
+  for (int i = 0; i < 2 * n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const double a = 0.5 * step * (i + 0.5 * (j % 2));
+      const double r = 1.0 + 0.5 * std::cos(step * j);
+      mesh.Positions.push_back(Vec3(r * std::cos(a), r * std::sin(a), 0.5 * std::sin(step * j)));
+      auto at = [n](int k, int m) { return Index((k % (2 * n)) * n + m % n); };
+      mesh.Triangles.push_back({ at(i, j), at(i + 1, j), at(i, j + 1) });
+      mesh.Triangles.push_back({ at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) });
+    }
+  }
+  return mesh;
+}
+
+inline const std::vector<AutomaticShape>& AutomaticShapes()
+{
+  static const std::vector<AutomaticShape> shapes = {
+    { "Cube", [] { return Cube(16); }, true },
+    // A third as high: two pairs of edges are closer, and triangles are long.
+    { "Slab",
+      []
+      {
+        SurfaceDenoising::TriangleMesh mesh = Cube(16);
+        for (SurfaceDenoising::Vec3& p : mesh.Positions)
+        {
+          p[2] *= 0.4;
+        }
+        return mesh;
+      },
+      true },
+    { "Torus", [] { return Torus(28); }, false },
+  };
+  return shapes;
+}
+
+/// Empty, of points alone, of one triangle, of four, of triangles without area.
+inline std::vector<SurfaceDenoising::TriangleMesh> OddMeshes()
+{
+  using namespace SurfaceDenoising;
+  std::vector<TriangleMesh> meshes(5);
+  meshes[1].Positions.assign(20, Vec3(1.0, 2.0, 3.0));
+  for (const Vec3& p : { Vec3(0.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0) })
+  {
+    meshes[2].Positions.push_back(p);
+  }
+  meshes[2].Triangles.push_back({ 0, 1, 2 });
+  meshes[3] = meshes[2];
+  meshes[3].Positions.push_back(Vec3(0.3, 0.3, 1.0));
+  meshes[3].Triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  meshes[4].Positions.assign(60, Vec3(1.0, 1.0, 1.0));
+  for (Index v = 0; v + 2 < 60; ++v)
+  {
+    meshes[4].Triangles.push_back({ v, Index(v + 1), Index(v + 2) });
+  }
+  meshes[4].Triangles.push_back({ 5, 5, 7 });
+  return meshes;
+}
+
+#endif
