@@ -23,7 +23,7 @@
 
 namespace sd = SurfaceDenoising;
 
-static_assert(static_cast<int>(sd::SurfaceType::Curved) == vtkDenoiseSurface::CURVED_SURFACE,
+static_assert(static_cast<int>(sd::SurfaceType::Curved) == vtkDenoiseSurface::CURVED,
   "The surface types of the filter are those of the core.");
 
 vtkStandardNewMacro(vtkDenoiseSurface);
@@ -64,7 +64,7 @@ std::string NamesOf(const std::vector<sd::Method>& methods)
   std::string names;
   for (const sd::Method method : methods)
   {
-    names += (names.empty() ? "" : ", then ") + std::string(sd::RowOf(method).Name);
+    names += (names.empty() ? "" : ", then ") + std::string(sd::Methods()[static_cast<std::size_t>(method)].Name);
   }
   return names.empty() ? "None" : names;
 }
@@ -92,6 +92,8 @@ int vtkDenoiseSurface::RequestData(vtkInformation*, vtkInformationVector** input
 
 bool vtkDenoiseSurface::DenoiseMesh(vtkPolyData* input, vtkPolyData* output)
 {
+  const sd::AutomaticSettings settings(
+    this->Strength, static_cast<sd::SurfaceType>(this->SurfaceType));
   sd::SMPExecution execution(this);
   sd::MeshView view;
   std::string error;
@@ -102,7 +104,7 @@ bool vtkDenoiseSurface::DenoiseMesh(vtkPolyData* input, vtkPolyData* output)
   }
   const sd::Buffer<sd::Vec3> before = view.Mesh.Positions;
   sd::AutomaticReport found;
-  if (!sd::DenoiseAutomatically(view.Mesh, this->Settings(), found, execution))
+  if (!sd::DenoiseAutomatically(view.Mesh, settings, found, execution))
   {
     output->ShallowCopy(input); // nobody wants half a result
     return true;
@@ -138,6 +140,8 @@ bool vtkDenoiseSurface::DenoiseMesh(vtkPolyData* input, vtkPolyData* output)
 
 bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
 {
+  const sd::AutomaticSettings settings(
+    this->Strength, static_cast<sd::SurfaceType>(this->SurfaceType));
   sd::SMPExecution execution(this);
   vtkDataArray* normals = input->GetPointData()->GetNormals();
   if (!normals)
@@ -158,7 +162,7 @@ bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
   }
   const sd::Buffer<sd::Vec3> before = view.Cloud.Positions;
   sd::AutomaticCloudReport found;
-  if (!sd::DenoiseAutomatically(view.Cloud, this->Settings(), found, execution))
+  if (!sd::DenoiseAutomatically(view.Cloud, settings, found, execution))
   {
     output->ShallowCopy(input);
     return true;

@@ -69,19 +69,19 @@ public:
   /// What the surface is like.
   enum SurfaceTypes
   {
-    ANY_SURFACE = 0,   ///< found out from the data
-    SHARP_SURFACE = 1, ///< flat sides and sharp edges
-    CURVED_SURFACE = 2 ///< curved, with detail but hardly an edge
+    ANY = 0,   ///< found out from the data
+    SHARP = 1, ///< flat sides and sharp edges
+    CURVED = 2 ///< curved, with detail but hardly an edge
   };
 
   ///@{
   /// Which methods may be chosen: those for any surface (the default), for sharp ones only, or for
   /// curved ones only. One of SurfaceTypes.
-  vtkSetClampMacro(SurfaceType, int, ANY_SURFACE, CURVED_SURFACE);
+  vtkSetClampMacro(SurfaceType, int, ANY, CURVED);
   vtkGetMacro(SurfaceType, int);
-  void SetSurfaceTypeToAny() { this->SetSurfaceType(ANY_SURFACE); }
-  void SetSurfaceTypeToSharp() { this->SetSurfaceType(SHARP_SURFACE); }
-  void SetSurfaceTypeToCurved() { this->SetSurfaceType(CURVED_SURFACE); }
+  void SetSurfaceTypeToAny() { this->SetSurfaceType(ANY); }
+  void SetSurfaceTypeToSharp() { this->SetSurfaceType(SHARP); }
+  void SetSurfaceTypeToCurved() { this->SetSurfaceType(CURVED); }
   ///@}
 
   ///@{
@@ -139,7 +139,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double Strength = 1.0;
-  int SurfaceType = ANY_SURFACE;
+  int SurfaceType = ANY;
   bool PointsOnly = false;
   double FeatureAngle = 60.0;
   int NumberOfThreads = 0;

@@ -24,6 +24,7 @@ struct Candidate
 {
   const char* Method;
   const char* Kind; ///< of surface, for people
+  SurfaceType Type;
   double From;
   double To;
   PointDenoisingSettings Settings;
@@ -69,19 +70,19 @@ const std::vector<Candidate>& Candidates()
     const char* planes = "Moving Robust PCA";
     const double any = 1e300;
     std::vector<Candidate> all = {
-      { squares, "full of fine details", 0.0, 0.45, LeastSquares(16) },
-      { squares, "smooth with some details", 0.0, any, LeastSquares(30) },
-      { squares, "smooth", 0.0, any, LeastSquares(60) },
-      { composer, "bent", 0.0, 0.45, Composed(16, 16, 1.5, 0.5, 1, 2) },
-      { composer, "bent with blunt edges", 0.0, 0.45, Composed(16, 16, 1.5, 0.35, 3, 5) },
-      { composer, "smooth with some details", 0.1, any, Composed(16, 24, 1.5, 1.0, 1, 4) },
-      { composer, "sharp-edged", 0.1, any, Composed(16, 24, 1.5, 0.2, 10, 10) },
-      { composer, "bent with blunt edges", 0.2, any, Composed(24, 36, 2.0, 0.5, 2, 5) },
-      { composer, "sharp-edged", 0.3, any, Composed(24, 36, 2.0, 0.2, 10, 10) },
-      { composer, "sharp-edged", 0.3, any, Composed(40, 40, 3.0, 0.35, 3, 5) },
-      { planes, "sharp-edged", 0.0, 0.6, RobustPlanes(30, 5) },
-      { planes, "sharp-edged", 0.3, any, RobustPlanes(60, 3) },
-      { composer, "smooth", 0.3, any, Composed(80, 80, 3.0, 0.5, 1, 2) },
+      { squares, "full of fine details", SurfaceType::Curved, 0.0, 0.45, LeastSquares(16) },
+      { squares, "smooth with some details", SurfaceType::Curved, 0.0, any, LeastSquares(30) },
+      { squares, "smooth", SurfaceType::Curved, 0.0, any, LeastSquares(60) },
+      { composer, "bent", SurfaceType::Curved, 0.0, 0.45, Composed(16, 16, 1.5, 0.5, 1, 2) },
+      { composer, "bent with blunt edges", SurfaceType::Any, 0.0, 0.45, Composed(16, 16, 1.5, 0.35, 3, 5) },
+      { composer, "smooth with some details", SurfaceType::Curved, 0.1, any, Composed(16, 24, 1.5, 1.0, 1, 4) },
+      { composer, "sharp-edged", SurfaceType::Sharp, 0.1, any, Composed(16, 24, 1.5, 0.2, 10, 10) },
+      { composer, "bent with blunt edges", SurfaceType::Any, 0.2, any, Composed(24, 36, 2.0, 0.5, 2, 5) },
+      { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(24, 36, 2.0, 0.2, 10, 10) },
+      { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(40, 40, 3.0, 0.35, 3, 5) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(30, 5) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.3, any, RobustPlanes(60, 3) },
+      { composer, "smooth", SurfaceType::Curved, 0.3, any, Composed(80, 80, 3.0, 0.5, 1, 2) },
     };
     for (Candidate& candidate : all)
     {
@@ -137,8 +138,9 @@ void PullOutliers(PointCloud& cloud, const Buffer<Index>& outliers, const PointC
 }
 
 CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double deviation,
-  Execution& execution)
+  SurfaceType type, Execution& execution)
 {
+  const AutomaticSettings asked(1.0, type);
   CloudChoice choice;
   const double level = spacing > 0.0 ? deviation / spacing : 0.0;
   if (!(level > 1e-4))
@@ -156,7 +158,7 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double de
   std::vector<double> risks;
   for (const Candidate& candidate : Candidates())
   {
-    if (level >= candidate.From && level <= candidate.To)
+    if (level >= candidate.From && level <= candidate.To && asked.Considers(candidate.Type))
     {
       left.push_back(&candidate);
       risks.push_back(rough.Of(candidate.Settings, execution));
@@ -204,10 +206,11 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double de
   return choice;
 }
 
-bool DenoiseAutomatically(PointCloud& cloud, double strength, AutomaticCloudReport& report,
-  Execution& execution)
+bool DenoiseAutomatically(PointCloud& cloud, const AutomaticSettings& asked,
+  AutomaticCloudReport& report, Execution& execution)
 {
   report = AutomaticCloudReport();
+  const double strength = asked.CheckedStrength();
   if (!(strength > 0.0))
   {
     report.Choice.Reason = "The strength is 0.";
@@ -232,7 +235,7 @@ bool DenoiseAutomatically(PointCloud& cloud, double strength, AutomaticCloudRepo
   clean.Normals = cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, kept);
   InterruptedExecution choosing(execution, 0.1);
   report.Choice = ChooseForCloud(clean.Positions, report.Noise.Spacing,
-    std::min(strength, 1e3) * report.Noise.Deviation, choosing);
+    strength * report.Noise.Deviation, asked.Type, choosing);
   if (!choosing.Proceed(0.0))
   {
     return false;

@@ -19,6 +19,7 @@
 #ifndef SurfaceDenoising_AutomaticCloud_h
 #define SurfaceDenoising_AutomaticCloud_h
 
+#include "Automatic/AutomaticSettings.h"
 #include "Automatic/CloudNoise.h"
 #include "Points/PointDenoising.h"
 
@@ -42,7 +43,7 @@ struct CloudChoice
  * execution asks to stop, the choice is of no use.
  */
 CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double deviation,
-  Execution& execution);
+  SurfaceType type, Execution& execution);
 
 struct AutomaticCloudReport
 {
@@ -54,14 +55,12 @@ struct AutomaticCloudReport
 };
 
 /**
- * Denoises the cloud in place as DenoisePoints does: new positions and normals; statuses. strength
- * is 1 for the noise that is found; the noise is taken for as much larger or smaller. 0, or less,
- * or not a number leaves the cloud as it is. Where normals are given, those of the result are on
+ * Denoises the cloud in place as DenoisePoints does: new positions and normals; statuses. Where normals are given, those of the result are on
  * the same side; they are not relied on otherwise. Returns false if the execution asked to stop;
  * the cloud is unchanged then.
  */
-bool DenoiseAutomatically(PointCloud& cloud, double strength, AutomaticCloudReport& report,
-  Execution& execution);
+bool DenoiseAutomatically(PointCloud& cloud, const AutomaticSettings& settings,
+  AutomaticCloudReport& report, Execution& execution);
 
 }
 

@@ -64,11 +64,11 @@ double RemovedAlongNormals(const TriangleMesh& mesh, const Buffer<Vec3>& before,
 
 }
 
-bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& plan,
-  Execution& execution)
+bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings,
+  AutomaticPlan& plan, Execution& execution)
 {
   plan = AutomaticPlan();
-  strength = strength > 0.0 ? std::min(strength, 10.0) : 0.0;
+  const double strength = settings.CheckedStrength();
   const MeshSample sample = TakeSample(mesh, SampleFaces, execution);
   plan.Noise = EstimateNoise(sample.Mesh, VertexStars(sample.Mesh), execution);
   if (!(strength * plan.Noise.Level >= LeastLevel))
@@ -84,7 +84,8 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
   std::vector<const CandidateChain*> candidates(1, nullptr);
   for (const CandidateChain& chain : CandidateChains())
   {
-    if (!chain.Unfolds || risk.FoldedShare() > SlightlyFolded || plan.Noise.Level > StrongLevel)
+    if (settings.Considers(chain.Type) &&
+      (!chain.Unfolds || risk.FoldedShare() > SlightlyFolded || plan.Noise.Level > StrongLevel))
     {
       candidates.push_back(&chain);
     }
@@ -116,8 +117,8 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
   return execution.Proceed(1.0);
 }
 
-bool DenoiseAutomatically(TriangleMesh& mesh, double strength, AutomaticReport& report,
-  Execution& execution)
+bool DenoiseAutomatically(TriangleMesh& mesh, const AutomaticSettings& settings,
+  AutomaticReport& report, Execution& execution)
 {
   report = AutomaticReport();
   PreparedMesh prepared(mesh);
@@ -132,10 +133,10 @@ bool DenoiseAutomatically(TriangleMesh& mesh, double strength, AutomaticReport& 
       return false;
     }
     before = prepared.Mesh().Positions;
-    if ((strength > 0.0 &&
+    if ((settings.CheckedStrength() > 0.0 &&
           !RepairSpikes(prepared.Mesh(), prepared.Stars(), prepared.Edges(),
             report.RepairedVertices, repair)) ||
-      !PlanDenoising(prepared.Mesh(), strength, report.Plan, plan))
+      !PlanDenoising(prepared.Mesh(), settings, report.Plan, plan))
     {
       return false;
     }

@@ -16,6 +16,7 @@
 #define SurfaceDenoising_AutomaticMesh_h
 
 #include "../Methods.h"
+#include "AutomaticSettings.h"
 #include "ChainRisk.h"
 #include "SurfaceNoise.h"
 
@@ -50,20 +51,18 @@ struct AutomaticReport
 
 /**
  * Finds the plan for a mesh without seams and with faces that agree on outside (see PreparedMesh).
- * strength scales the noise that is assumed: 1 is what was found, 2 twice as much, which smooths
- * more, 0 none. Negative numbers and NaN count as 0, more than 10 as 10. Returns false if the
- * execution asked to stop.
+ * Returns false if the execution asked to stop.
  */
-bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& plan,
-  Execution& execution);
+bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings,
+  AutomaticPlan& plan, Execution& execution);
 
 /**
  * Plans and denoises in place. A mesh that is not noisy, of no faces or of a few, keeps its
  * positions to the bit. Positions must be finite. Returns false if the execution asked to stop; the
  * mesh then holds an unfinished state.
  */
-bool DenoiseAutomatically(TriangleMesh& mesh, double strength, AutomaticReport& report,
-  Execution& execution);
+bool DenoiseAutomatically(TriangleMesh& mesh, const AutomaticSettings& settings,
+  AutomaticReport& report, Execution& execution);
 
 }
 

@@ -55,9 +55,11 @@ Part Narrow()
   return part;
 }
 
-CandidateChain Chain(const char* purpose, const std::vector<Part>& parts, bool unfolds = false)
+CandidateChain Chain(SurfaceType type, const char* purpose, const std::vector<Part>& parts,
+  bool unfolds = false)
 {
   CandidateChain chain;
+  chain.Type = type;
   chain.Purpose = purpose;
   chain.Unfolds = unfolds;
   for (const Part& part : parts)
@@ -77,21 +79,21 @@ const std::vector<CandidateChain>& CandidateChains()
   static const char* const sides = "flat sides with sharp edges";
   static const char* const folded = "flat sides with sharp edges, folded by strong noise";
   static const std::vector<CandidateChain> chains = {
-    Chain(fine, { Bilateral(0.2, 5, 10) }),
-    Chain(fine, { Bilateral(0.35, 5, 10) }),
-    Chain(organic, { Bilateral(0.5, 4, 7) }),
-    Chain(organic, { Diffusion(90.0, 1) }),
-    Chain(organic, { Diffusion(90.0, 2) }),
-    Chain(organic, { Diffusion(90.0, 3) }),
-    Chain(organic, { Diffusion(90.0, 5) }),
-    Chain(organic, { Diffusion(90.0, 8) }),
-    Chain(organic, { Diffusion(90.0, 15) }),
-    Chain("curved surface with edges", { Diffusion(90.0, 3), Diffusion(40.0, 3) }),
-    Chain("curved surface with edges", { Wide(10, 0.2) }),
-    Chain(sides, { Wide(15, 0.05), Narrow() }),
-    Chain(folded, { Wide(15, 0.1), Narrow() }, true),
-    Chain(folded, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }, true),
-    Chain(folded, { Diffusion(90.0, 2), Wide(15, 0.05), Narrow() }, true),
+    Chain(SurfaceType::Curved, fine, { Bilateral(0.2, 5, 10) }),
+    Chain(SurfaceType::Curved, fine, { Bilateral(0.35, 5, 10) }),
+    Chain(SurfaceType::Curved, organic, { Bilateral(0.5, 4, 7) }),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 1) }),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 2) }),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 3) }),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 5) }),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 8) }),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 15) }),
+    Chain(SurfaceType::Any, "curved surface with edges", { Diffusion(90.0, 3), Diffusion(40.0, 3) }),
+    Chain(SurfaceType::Any, "curved surface with edges", { Wide(10, 0.2) }),
+    Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }),
+    Chain(SurfaceType::Sharp, folded, { Wide(15, 0.1), Narrow() }, true),
+    Chain(SurfaceType::Sharp, folded, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }, true),
+    Chain(SurfaceType::Sharp, folded, { Diffusion(90.0, 2), Wide(15, 0.05), Narrow() }, true),
   };
   return chains;
 }

@@ -10,6 +10,7 @@
 #define SurfaceDenoising_CandidateChains_h
 
 #include "../Methods.h"
+#include "AutomaticSettings.h"
 #include "ChainRisk.h"
 
 namespace SurfaceDenoising
@@ -18,6 +19,7 @@ namespace SurfaceDenoising
 struct CandidateChain
 {
   const char* Purpose; ///< what it is for, for people
+  SurfaceType Type;
   bool Unfolds;        ///< takes folds out first, at the cost of detail
   std::vector<Method> Methods;
   MethodChain Steps;

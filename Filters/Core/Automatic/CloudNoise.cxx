@@ -6,6 +6,7 @@
 #include "Points/InterruptedExecution.h"
 #include "Points/PlaneFit.h"
 #include "Points/PointNeighbors.h"
+#include "Points/PointRuns.h"
 #include "RobustScale.h"
 #include "SpatialOrder.h"
 
@@ -240,7 +241,8 @@ CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
 {
   CloudNoise noise;
   noise.Outliers.assign(points.size(), 0);
-  const Buffer<Index> order = FindPointOrder(points, {}, execution);
+  Buffer<Index> order = FindPointOrder(points, {}, execution);
+  FormRuns(points, order, execution);
   noise.Finite = order.size();
   if (order.size() < 2)
   {
@@ -248,7 +250,7 @@ CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
   }
   const Buffer<Vec3> ordered = Gather(points, order);
   InterruptedExecution interrupted(execution, 0.0);
-  const NeighborGraph nearest = NearestPoints(ordered, ManyNeighbors, interrupted);
+  const NeighborGraph nearest = NearestOrderedPoints(ordered, ManyNeighbors, interrupted);
   if (!interrupted.Proceed(0.0))
   {
     return noise;
