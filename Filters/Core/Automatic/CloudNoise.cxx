@@ -262,6 +262,10 @@ CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
     return noise; // all points at one place
   }
   const LocalFits fits = FitEverywhere(ordered, nearest, {}, true, interrupted);
+  if (!interrupted.Proceed(0.0))
+  {
+    return noise;
+  }
   noise.Deviation = DeviationOf(fits, noise.Spacing);
   Buffer<unsigned char> outliers;
   FindOutliers(nearest, spacings, fits, noise, outliers);
