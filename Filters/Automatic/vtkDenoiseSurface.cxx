@@ -167,6 +167,17 @@ bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
     output->ShallowCopy(input);
     return true;
   }
+  if (view.Cloud.Status.size() != before.size())
+  {
+    // There was nothing to do, but the output has normals and statuses in any case.
+    sd::PointDenoisingSettings normalsOnly;
+    normalsOnly.OuterIterations = 0;
+    if (!sd::DenoisePoints(view.Cloud, normalsOnly, found.Denoising, execution))
+    {
+      output->ShallowCopy(input);
+      return true;
+    }
+  }
   sd::PassPoints(input, view, output, execution);
 
   this->NoiseLevel = found.Noise.Level();

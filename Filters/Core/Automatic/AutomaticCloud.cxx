@@ -4,6 +4,7 @@
 #include "Automatic/AutomaticCloud.h"
 
 #include "Automatic/CloudRisk.h"
+#include "Automatic/ProgressShare.h"
 #include "KdTree.h"
 #include "Points/InterruptedExecution.h"
 #include "Points/PlaneFit.h"
@@ -81,7 +82,7 @@ const std::vector<Candidate>& Candidates()
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(24, 36, 2.0, 0.2, 10, 10) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(40, 40, 3.0, 0.35, 3, 5) },
       { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(30, 5) },
-      { planes, "sharp-edged", SurfaceType::Sharp, 0.3, any, RobustPlanes(60, 3) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.3, any, RobustPlanes(60, 5) },
       { composer, "smooth", SurfaceType::Curved, 0.3, any, Composed(80, 80, 3.0, 0.5, 1, 2) },
     };
     for (Candidate& candidate : all)
@@ -177,7 +178,8 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double de
     {
       risk = risk < limit ? fine.Of(left[k]->Settings, execution) : 1.0;
     }
-    if (risk < least)
+    // Risks are not that exact: of those nearly alike the first, gentlest one.
+    if (risk < 0.97 * least - 0.0005)
     {
       least = risk;
       kind = left[k]->Kind;
@@ -233,7 +235,7 @@ bool DenoiseAutomatically(PointCloud& cloud, const AutomaticSettings& asked,
   PointCloud clean;
   clean.Positions = Gather(cloud.Positions, kept);
   clean.Normals = cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, kept);
-  InterruptedExecution choosing(execution, 0.1);
+  ProgressShare choosing(execution, 0.1, 0.1);
   report.Choice = ChooseForCloud(clean.Positions, report.Noise.Spacing,
     strength * report.Noise.Deviation, asked.Type, choosing);
   if (!choosing.Proceed(0.0))
@@ -250,7 +252,7 @@ bool DenoiseAutomatically(PointCloud& cloud, const AutomaticSettings& asked,
     settings.OuterIterations = 0; // normals tell outliers the side
   }
   const Buffer<Vec3> before = clean.Positions;
-  InterruptedExecution denoising(execution, 0.3, 1.0);
+  ProgressShare denoising(execution, 0.3, 1.0);
   if (!DenoisePoints(clean, settings, report.Denoising, denoising) || !execution.Proceed(1.0))
   {
     return false;

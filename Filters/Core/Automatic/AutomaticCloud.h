@@ -12,8 +12,11 @@
  *    with the least estimated risk (CloudRisk.h) is chosen, or none if none is better than leaving
  *    the points alone.
  * 3. It runs on all points but the outliers, which so have no say in the fits of their neighbours.
- * 4. Outliers off the surface go to the plane of the nearest denoised points. Those far from
- *    everything stay where they are, marked as kept: they are no part of this surface.
+ * 4. Outliers up to ten spacings from the plane of the nearest denoised points go there. Those that
+ *    are farther away stay where they are, marked as kept: they are no part of this surface.
+ *
+ * The samples cost as much as the chosen method on some 100 thousand points, so that small clouds
+ * take many times as long as that method alone, and large ones less than twice.
  */
 
 #ifndef SurfaceDenoising_AutomaticCloud_h
@@ -55,9 +58,10 @@ struct AutomaticCloudReport
 };
 
 /**
- * Denoises the cloud in place as DenoisePoints does: new positions and normals; statuses. Where normals are given, those of the result are on
- * the same side; they are not relied on otherwise. Returns false if the execution asked to stop;
- * the cloud is unchanged then.
+ * Denoises the cloud in place as DenoisePoints does: new positions and normals; statuses. Without
+ * noise and outliers it stays as it is, without statuses if it has none. Where normals are given,
+ * those of the result are on the same side; they are not relied on otherwise. Returns false if the
+ * execution asked to stop; the cloud is unchanged then.
  */
 bool DenoiseAutomatically(PointCloud& cloud, const AutomaticSettings& settings,
   AutomaticCloudReport& report, Execution& execution);
