@@ -23,8 +23,10 @@ constexpr std::size_t SampleFaces = 15000;
 /// Noise below this, in mean edge lengths, is not told from the shape of coarse meshes.
 constexpr double LeastLevel = 0.035;
 /// Noise that is taken for too strong costs a little detail, noise that is taken for too weak
-/// leaves most of it: the assumed noise is somewhat above what was found.
-constexpr double Caution = 1.1;
+/// leaves most of it: the assumed noise is somewhat above what was found. Weak noise is found too
+/// strong already.
+double Caution(double level) { return std::min(1.1, 0.9 + level); }
+
 /// The same for surfaces with so many folded faces that the noise has any direction. It is stronger
 /// than its part along the normals looks.
 constexpr double CautionIfFolded = 1.3;
@@ -79,7 +81,8 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
   }
   ChainRisk risk(sample, PilotChain(), execution);
   const bool folded = risk.FoldedShare() > StronglyFolded;
-  risk.Assume((folded ? CautionIfFolded : Caution) * strength * plan.Noise.Deviation);
+  risk.Assume(
+    (folded ? CautionIfFolded : Caution(plan.Noise.Level)) * strength * plan.Noise.Deviation);
   // The first candidate is to do nothing.
   std::vector<const CandidateChain*> candidates(1, nullptr);
   for (const CandidateChain& chain : CandidateChains())

@@ -37,6 +37,22 @@ Part Diffusion(double degrees, int outer)
   return part;
 }
 
+Part Mean(int outer)
+{
+  Part part{ Method::MeanNormal, SettingsOf(Method::MeanNormal) };
+  part.Settings.OuterIterations = outer;
+  return part;
+}
+
+/// Edges stay where the surface bends along them alone.
+Part CurvatureDiffusion()
+{
+  Part part{ Method::CurvatureNormalDiffusion, SettingsOf(Method::CurvatureNormalDiffusion) };
+  part.Settings.NormScale = 1.0 / std::sqrt(2.0);
+  part.Settings.OuterIterations = 3;
+  return part;
+}
+
 /// A wide scale, which sorts faces into sides.
 Part Wide(int outer, double relaxation)
 {
@@ -80,6 +96,9 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain(fine, { Bilateral(0.2, 5, 10) }),
     Chain(fine, { Bilateral(0.35, 5, 10) }),
     Chain(organic, { Bilateral(0.5, 4, 7) }),
+    Chain(organic, { Mean(2) }),
+    Chain(organic, { Mean(5) }),
+    Chain(organic, { CurvatureDiffusion() }),
     Chain(organic, { Diffusion(90.0, 1) }),
     Chain(organic, { Diffusion(90.0, 2) }),
     Chain(organic, { Diffusion(90.0, 3) }),
