@@ -27,8 +27,11 @@ constexpr double LeastLevel = 0.035;
 /// strong already.
 double Caution(double level) { return std::min(1.1, 0.9 + level); }
 
-/// The same for surfaces with so many folded faces that the noise has any direction. It is stronger
-/// than its part along the normals looks.
+/// A gain below this is not certain: the mean square error must fall to this share of that of the
+/// input.
+constexpr double LargestError = 0.7;
+/// The same as the caution for surfaces with so many folded faces that the noise has any direction.
+/// It is stronger than its part along the normals looks.
 constexpr double CautionIfFolded = 1.3;
 constexpr double StronglyFolded = 0.02;
 /// Folded faces, or noise in mean edge lengths, from which on it is worth to take folds out first.
@@ -41,6 +44,13 @@ std::string Describe(const SurfaceNoise& noise)
   std::snprintf(text, sizeof(text), "Noise of %.2f mean edge lengths (%.0f degrees)", noise.Level,
     noise.NormalAngle);
   return text;
+}
+
+/// True if the first vertex update also moves vertices along the surface: the others leave folds.
+bool MovesAlongSurface(const CandidateChain& chain)
+{
+  const VertexScheme scheme = chain.Steps.front().Vertices.Scheme;
+  return scheme == VertexScheme::IntegralFit || scheme == VertexScheme::EdgeWeighted;
 }
 
 /// Root mean square of the displacements along the area-weighted normals of the result.
@@ -79,7 +89,8 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
                                  : "A strength of 0: nothing to do";
     return execution.Proceed(1.0);
   }
-  ChainRisk risk(sample, PilotChain(), execution);
+  ProgressShare start(execution, 0.0, 0.05);
+  ChainRisk risk(sample, PilotChain(), start);
   const bool folded = risk.FoldedShare() > StronglyFolded;
   risk.Assume(
     (folded ? CautionIfFolded : Caution(plan.Noise.Level)) * strength * plan.Noise.Deviation);
@@ -87,7 +98,9 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
   std::vector<const CandidateChain*> candidates(1, nullptr);
   for (const CandidateChain& chain : CandidateChains())
   {
-    if (!chain.Unfolds || risk.FoldedShare() > SlightlyFolded || plan.Noise.Level > StrongLevel)
+    const bool wanted =
+      !chain.Unfolds || plan.Noise.Level > StrongLevel || risk.FoldedShare() > SlightlyFolded;
+    if (wanted && (!folded || MovesAlongSurface(chain)))
     {
       candidates.push_back(&chain);
     }
@@ -95,8 +108,8 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
   std::vector<GroupRisks> risks(candidates.size());
   for (std::size_t k = 0; k < candidates.size(); ++k)
   {
-    const double count = double(candidates.size());
-    ProgressShare share(execution, double(k) / count, double(k + 1) / count);
+    const double part = 0.95 / double(candidates.size());
+    ProgressShare share(execution, 0.05 + double(k) * part, 0.05 + double(k + 1) * part);
     if (!risk.Of(candidates[k] ? candidates[k]->Steps : MethodChain(), risks[k], share))
     {
       return false;
@@ -104,17 +117,18 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
   }
   const std::size_t best = LeastRisk(risks);
   plan.Reason = Describe(plan.Noise);
-  if (best > 0)
+  const double error =
+    std::accumulate(risks[best].begin(), risks[best].end(), 0.0) / double(RiskGroups);
+  if (best > 0 && error < LargestError)
   {
     plan.Steps = candidates[best]->Steps;
     plan.Methods = candidates[best]->Methods;
     plan.Reason += std::string(", ") + candidates[best]->Purpose;
-    plan.ExpectedError = std::max(0.0,
-      std::accumulate(risks[best].begin(), risks[best].end(), 0.0) / double(RiskGroups));
+    plan.ExpectedError = std::max(0.0, error);
   }
   else
   {
-    plan.Reason += ", but no method would make it less: nothing to do";
+    plan.Reason += ", but no method would make it much less: nothing to do";
   }
   return execution.Proceed(1.0);
 }
