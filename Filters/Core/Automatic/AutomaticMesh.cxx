@@ -19,13 +19,15 @@ namespace
 {
 
 /// Faces that chains are tried on: enough to tell them apart, few enough to try them all.
-constexpr std::size_t SampleFaces = 15000;
+constexpr std::size_t SampleFaces = 12000;
+/// Patches have rims. Meshes up to this size are taken as they are.
+constexpr std::size_t WholeFaces = 20000;
 /// Noise below this, in mean edge lengths, is not told from the shape of coarse meshes.
 constexpr double LeastLevel = 0.035;
 /// Noise that is taken for too strong costs a little detail, noise that is taken for too weak
 /// leaves most of it: the assumed noise is somewhat above what was found. Weak noise is found too
 /// strong already.
-double Caution(double level) { return std::min(1.1, 0.9 + level); }
+double Caution(double level) { return std::min(1.1, 0.95 + level); }
 
 /// A gain below this is not certain: the mean square error must fall to this share of that of the
 /// input.
@@ -51,6 +53,19 @@ bool MovesAlongSurface(const CandidateChain& chain)
 {
   const VertexScheme scheme = chain.Steps.front().Vertices.Scheme;
   return scheme == VertexScheme::IntegralFit || scheme == VertexScheme::EdgeWeighted;
+}
+
+MeshSample SampleOf(const TriangleMesh& mesh, Execution& execution)
+{
+  return TakeSample(mesh, mesh.NumberOfFaces() > WholeFaces ? SampleFaces : WholeFaces, execution);
+}
+
+/// What the mesh itself would say, from a part of it.
+bool LooksImpulsive(const TriangleMesh& mesh, Execution& execution)
+{
+  const MeshSample sample = SampleOf(mesh, execution);
+  const CompressedRows stars = VertexStars(sample.Mesh);
+  return AreImpulses(sample.Mesh, stars, FindSpikes(sample.Mesh, stars, execution), execution);
 }
 
 /// Root mean square of the displacements along the area-weighted normals of the result.
@@ -81,7 +96,7 @@ bool PlanDenoising(const TriangleMesh& mesh, double strength, AutomaticPlan& pla
 {
   plan = AutomaticPlan();
   strength = strength > 0.0 ? std::min(strength, 10.0) : 0.0;
-  const MeshSample sample = TakeSample(mesh, SampleFaces, execution);
+  const MeshSample sample = SampleOf(mesh, execution);
   plan.Noise = EstimateNoise(sample.Mesh, VertexStars(sample.Mesh), execution);
   if (!(strength * plan.Noise.Level >= LeastLevel))
   {
@@ -149,7 +164,7 @@ bool DenoiseAutomatically(TriangleMesh& mesh, double strength, AutomaticReport& 
       return false;
     }
     before = prepared.Mesh().Positions;
-    if ((strength > 0.0 &&
+    if ((strength > 0.0 && LooksImpulsive(prepared.Mesh(), execution) &&
           !RepairSpikes(prepared.Mesh(), prepared.Stars(), prepared.Edges(),
             report.RepairedVertices, repair)) ||
       !PlanDenoising(prepared.Mesh(), strength, report.Plan, plan))
