@@ -21,14 +21,9 @@
 
 using namespace SurfaceDenoising;
 
-TriangleMesh CleanMesh()
+TriangleMesh ReadMesh(const char* file)
 {
   TriangleMesh mesh;
-  const char* file = std::getenv("SURFACE_DENOISING_BENCHMARK_MESH");
-  if (!file)
-  {
-    return mesh;
-  }
   vtkNew<vtkOFFReader> reader;
   reader->SetFileName(file);
   reader->Update();
@@ -44,6 +39,12 @@ TriangleMesh CleanMesh()
     mesh.Triangles.push_back({ Index(ids->GetId(0)), Index(ids->GetId(1)), Index(ids->GetId(2)) });
   }
   return mesh;
+}
+
+TriangleMesh CleanMesh()
+{
+  const char* file = std::getenv("SURFACE_DENOISING_BENCHMARK_MESH");
+  return file ? ReadMesh(file) : TriangleMesh();
 }
 
 namespace

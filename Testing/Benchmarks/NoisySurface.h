@@ -14,6 +14,9 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+/// A surface of triangles from an OFF file. Empty if it cannot be read.
+SurfaceDenoising::TriangleMesh ReadMesh(const char* file);
+
 /// The OFF file that the environment variable SURFACE_DENOISING_BENCHMARK_MESH names. Empty if it
 /// cannot be read.
 SurfaceDenoising::TriangleMesh CleanMesh();

@@ -19,14 +19,21 @@ namespace
 {
 
 /// Faces that chains are tried on: enough to tell them apart, few enough to try them all.
-constexpr std::size_t SampleFaces = 15000;
+constexpr std::size_t SampleFaces = 12000;
+/// Patches have rims. Meshes up to this size are taken as they are.
+constexpr std::size_t WholeFaces = 20000;
 /// Noise below this, in mean edge lengths, is not told from the shape of coarse meshes.
 constexpr double LeastLevel = 0.035;
 /// Noise that is taken for too strong costs a little detail, noise that is taken for too weak
-/// leaves most of it: the assumed noise is somewhat above what was found.
-constexpr double Caution = 1.1;
-/// The same for surfaces with so many folded faces that the noise has any direction. It is stronger
-/// than its part along the normals looks.
+/// leaves most of it: the assumed noise is somewhat above what was found. Weak noise is found too
+/// strong already.
+double Caution(double level) { return std::min(1.1, 0.95 + level); }
+
+/// A gain below this is not certain: the mean square error must fall to this share of that of the
+/// input.
+constexpr double LargestError = 0.7;
+/// The same as the caution for surfaces with so many folded faces that the noise has any direction.
+/// It is stronger than its part along the normals looks.
 constexpr double CautionIfFolded = 1.3;
 constexpr double StronglyFolded = 0.02;
 /// Folded faces, or noise in mean edge lengths, from which on it is worth to take folds out first.
@@ -39,6 +46,26 @@ std::string Describe(const SurfaceNoise& noise)
   std::snprintf(text, sizeof(text), "Noise of %.2f mean edge lengths (%.0f degrees)", noise.Level,
     noise.NormalAngle);
   return text;
+}
+
+/// True if the first vertex update also moves vertices along the surface: the others leave folds.
+bool MovesAlongSurface(const CandidateChain& chain)
+{
+  const VertexScheme scheme = chain.Steps.front().Vertices.Scheme;
+  return scheme == VertexScheme::IntegralFit || scheme == VertexScheme::EdgeWeighted;
+}
+
+MeshSample SampleOf(const TriangleMesh& mesh, Execution& execution)
+{
+  return TakeSample(mesh, mesh.NumberOfFaces() > WholeFaces ? SampleFaces : WholeFaces, execution);
+}
+
+/// What the mesh itself would say, from a part of it.
+bool LooksImpulsive(const TriangleMesh& mesh, Execution& execution)
+{
+  const MeshSample sample = SampleOf(mesh, execution);
+  const CompressedRows stars = VertexStars(sample.Mesh);
+  return AreImpulses(sample.Mesh, stars, FindSpikes(sample.Mesh, stars, execution), execution);
 }
 
 /// Root mean square of the displacements along the area-weighted normals of the result.
@@ -69,7 +96,7 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings,
 {
   plan = AutomaticPlan();
   const double strength = settings.CheckedStrength();
-  const MeshSample sample = TakeSample(mesh, SampleFaces, execution);
+  const MeshSample sample = SampleOf(mesh, execution);
   plan.Noise = EstimateNoise(sample.Mesh, VertexStars(sample.Mesh), execution);
   if (!(strength * plan.Noise.Level >= LeastLevel))
   {
@@ -77,15 +104,18 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings,
                                  : "A strength of 0: nothing to do";
     return execution.Proceed(1.0);
   }
-  ChainRisk risk(sample, PilotChain(), execution);
+  ProgressShare start(execution, 0.0, 0.05);
+  ChainRisk risk(sample, PilotChain(), start);
   const bool folded = risk.FoldedShare() > StronglyFolded;
-  risk.Assume((folded ? CautionIfFolded : Caution) * strength * plan.Noise.Deviation);
+  risk.Assume(
+    (folded ? CautionIfFolded : Caution(plan.Noise.Level)) * strength * plan.Noise.Deviation);
   // The first candidate is to do nothing.
   std::vector<const CandidateChain*> candidates(1, nullptr);
   for (const CandidateChain& chain : CandidateChains())
   {
-    if (settings.Considers(chain.Type) &&
-      (!chain.Unfolds || risk.FoldedShare() > SlightlyFolded || plan.Noise.Level > StrongLevel))
+    const bool wanted =
+      !chain.Unfolds || plan.Noise.Level > StrongLevel || risk.FoldedShare() > SlightlyFolded;
+    if (settings.Considers(chain.Type) && wanted && (!folded || MovesAlongSurface(chain)))
     {
       candidates.push_back(&chain);
     }
@@ -93,8 +123,8 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings,
   std::vector<GroupRisks> risks(candidates.size());
   for (std::size_t k = 0; k < candidates.size(); ++k)
   {
-    const double count = double(candidates.size());
-    ProgressShare share(execution, double(k) / count, double(k + 1) / count);
+    const double part = 0.95 / double(candidates.size());
+    ProgressShare share(execution, 0.05 + double(k) * part, 0.05 + double(k + 1) * part);
     if (!risk.Of(candidates[k] ? candidates[k]->Steps : MethodChain(), risks[k], share))
     {
       return false;
@@ -102,17 +132,18 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings,
   }
   const std::size_t best = LeastRisk(risks);
   plan.Reason = Describe(plan.Noise);
-  if (best > 0)
+  const double error =
+    std::accumulate(risks[best].begin(), risks[best].end(), 0.0) / double(RiskGroups);
+  if (best > 0 && error < LargestError)
   {
     plan.Steps = candidates[best]->Steps;
     plan.Methods = candidates[best]->Methods;
     plan.Reason += std::string(", ") + candidates[best]->Purpose;
-    plan.ExpectedError = std::max(0.0,
-      std::accumulate(risks[best].begin(), risks[best].end(), 0.0) / double(RiskGroups));
+    plan.ExpectedError = std::max(0.0, error);
   }
   else
   {
-    plan.Reason += ", but no method would make it less: nothing to do";
+    plan.Reason += ", but no method would make it much less: nothing to do";
   }
   return execution.Proceed(1.0);
 }
@@ -133,7 +164,7 @@ bool DenoiseAutomatically(TriangleMesh& mesh, const AutomaticSettings& settings,
       return false;
     }
     before = prepared.Mesh().Positions;
-    if ((settings.CheckedStrength() > 0.0 &&
+    if ((settings.CheckedStrength() > 0.0 && LooksImpulsive(prepared.Mesh(), execution) &&
           !RepairSpikes(prepared.Mesh(), prepared.Stars(), prepared.Edges(),
             report.RepairedVertices, repair)) ||
       !PlanDenoising(prepared.Mesh(), settings, report.Plan, plan))

@@ -37,6 +37,22 @@ Part Diffusion(double degrees, int outer)
   return part;
 }
 
+Part Mean(int outer)
+{
+  Part part{ Method::MeanNormal, SettingsOf(Method::MeanNormal) };
+  part.Settings.OuterIterations = outer;
+  return part;
+}
+
+/// Edges stay where the surface bends along them alone.
+Part CurvatureDiffusion()
+{
+  Part part{ Method::CurvatureNormalDiffusion, SettingsOf(Method::CurvatureNormalDiffusion) };
+  part.Settings.NormScale = 1.0 / std::sqrt(2.0);
+  part.Settings.OuterIterations = 3;
+  return part;
+}
+
 /// A wide scale, which sorts faces into sides.
 Part Wide(int outer, double relaxation)
 {
@@ -82,6 +98,9 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain(SurfaceType::Curved, fine, { Bilateral(0.2, 5, 10) }),
     Chain(SurfaceType::Curved, fine, { Bilateral(0.35, 5, 10) }),
     Chain(SurfaceType::Curved, organic, { Bilateral(0.5, 4, 7) }),
+    Chain(SurfaceType::Curved, organic, { Mean(2) }),
+    Chain(SurfaceType::Curved, organic, { Mean(5) }),
+    Chain(SurfaceType::Curved, organic, { CurvatureDiffusion() }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 1) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 2) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 3) }),

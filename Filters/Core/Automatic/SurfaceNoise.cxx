@@ -214,7 +214,7 @@ SurfaceNoise EstimateNoise(const TriangleMesh& mesh, const CompressedRows& stars
 }
 
 Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
-  Execution& execution, double least)
+  Execution& execution, double least, double medians)
 {
   const std::size_t count = mesh.NumberOfVertices();
   const EdgeCensus census = TakeEdgeCensus(mesh, stars, execution);
@@ -265,7 +265,7 @@ Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows&
   Buffer<double> values;
   std::copy_if(distances.begin(), distances.end(), std::back_inserter(values),
     [](double value) { return std::isfinite(value); });
-  const double limit = std::max(4.0 * Median(values), least * census.MeanEdgeLength);
+  const double limit = std::max(medians * Median(values), least * census.MeanEdgeLength);
   Buffer<unsigned char> spikes(count);
   for (std::size_t v = 0; v < count; ++v)
   {
@@ -296,6 +296,11 @@ bool AreImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
     }
   }
   if (used == 0 || neighbors == 0)
+  {
+    return false;
+  }
+  const Buffer<unsigned char> large = FindSpikes(mesh, stars, execution, 0.1, 8.0);
+  if (double(std::count(large.begin(), large.end(), 1)) < 0.1 * double(count))
   {
     return false;
   }
