@@ -64,7 +64,8 @@ std::string NamesOf(const std::vector<sd::Method>& methods)
   std::string names;
   for (const sd::Method method : methods)
   {
-    names += (names.empty() ? "" : ", then ") + std::string(sd::Methods()[static_cast<std::size_t>(method)].Name);
+    names += (names.empty() ? "" : ", then ") +
+      std::string(sd::Methods()[static_cast<std::size_t>(method)].Name);
   }
   return names.empty() ? "None" : names;
 }
@@ -92,8 +93,8 @@ int vtkDenoiseSurface::RequestData(vtkInformation*, vtkInformationVector** input
 
 bool vtkDenoiseSurface::DenoiseMesh(vtkPolyData* input, vtkPolyData* output)
 {
-  const sd::AutomaticSettings settings(
-    this->Strength, static_cast<sd::SurfaceType>(this->SurfaceType));
+  const sd::AutomaticSettings settings(this->Strength,
+    static_cast<sd::SurfaceType>(this->SurfaceType));
   sd::SMPExecution execution(this);
   sd::MeshView view;
   std::string error;
@@ -126,8 +127,8 @@ bool vtkDenoiseSurface::DenoiseMesh(vtkPolyData* input, vtkPolyData* output)
   report.Add("Repaired Spikes", this->NumberOfOutliers);
   report.Add("Seconds Of Choosing", found.PlanSeconds);
   report.Add("Seconds Of Denoising", found.DenoiseSeconds);
-  this->TakeChange(sd::MeasureChange(view.Mesh, before, edge > 0.0 ? edge : 1.0,
-                     this->FeatureAngle, execution),
+  this->TakeChange(
+    sd::MeasureChange(view.Mesh, before, edge > 0.0 ? edge : 1.0, this->FeatureAngle, execution),
     report);
   report.Add("Volume Change", this->VolumeChange);
   report.Add("Feature Edges Before", this->NumberOfFeatureEdgesBefore);
@@ -140,8 +141,8 @@ bool vtkDenoiseSurface::DenoiseMesh(vtkPolyData* input, vtkPolyData* output)
 
 bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
 {
-  const sd::AutomaticSettings settings(
-    this->Strength, static_cast<sd::SurfaceType>(this->SurfaceType));
+  const sd::AutomaticSettings settings(this->Strength,
+    static_cast<sd::SurfaceType>(this->SurfaceType));
   sd::SMPExecution execution(this);
   vtkDataArray* normals = input->GetPointData()->GetNormals();
   if (!normals)

@@ -24,15 +24,15 @@
  *   before and after, flipped faces);
  * - the field array "DenoisingChoice", strings: the methods that were run, and why.
  *
- * Lengths in the report are relative to the input: in mean edge lengths for meshes, in mean spacings
- * for clouds.
+ * Lengths in the report are relative to the input: in mean edge lengths for meshes, in mean
+ * spacings for clouds.
  *
  * Results are the same on any number of threads. A mesh with a coordinate that is not finite is an
  * error; such points of a cloud stay as they are. An empty input passes through.
  *
- * How noise is estimated and the choice is made: C. Stein, "Estimation of the mean of a multivariate
- * normal distribution", Annals of Statistics 9(6), 1981; S. Ramani, T. Blu, M. Unser, "Monte-Carlo
- * SURE", IEEE Trans. Image Processing 17(9), 2008; applied to normals here.
+ * How noise is estimated and the choice is made: C. Stein, "Estimation of the mean of a
+ * multivariate normal distribution", Annals of Statistics 9(6), 1981; S. Ramani, T. Blu, M. Unser,
+ * "Monte-Carlo SURE", IEEE Trans. Image Processing 17(9), 2008; applied to normals here.
  */
 
 #ifndef vtkDenoiseSurface_h

@@ -148,8 +148,8 @@ public:
     return this->Sweep({ current, current, current, current }, filtered, execution);
   }
 
-  /// From now on VisitWeights has the weights of these fields, whatever it is given: for sweeps that
-  /// leave the fields as they are, and what the argument depends on.
+  /// From now on VisitWeights has the weights of these fields, whatever it is given: for sweeps
+  /// that leave the fields as they are, and what the argument depends on.
   void FreezeWeights(const Fields& fields, Execution& execution);
 
   /**
@@ -227,7 +227,7 @@ private:
   std::size_t BlockEntries = 0; ///< entries of a block: some hundred, or those of the longest row
   std::size_t Capacity = 0;     ///< room for a block and what vectors read beyond it
 
-  Buffer<double> FixedWeights;             ///< a_j f; if they are frozen, all
+  Buffer<double> FixedWeights; ///< a_j f; if they are frozen, all
   bool Frozen = false;
   Buffer<double> InverseSquaredDistances;  ///< for curvatures along the line between two sites
   Buffer<double> SiteFactors;              ///< g(x_i), for SiteCurvature

@@ -91,8 +91,8 @@ double RemovedAlongNormals(const TriangleMesh& mesh, const Buffer<Vec3>& before,
 
 }
 
-bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings,
-  AutomaticPlan& plan, Execution& execution)
+bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, AutomaticPlan& plan,
+  Execution& execution)
 {
   plan = AutomaticPlan();
   const double strength = settings.CheckedStrength();

@@ -53,8 +53,8 @@ struct AutomaticReport
  * Finds the plan for a mesh without seams and with faces that agree on outside (see PreparedMesh).
  * Returns false if the execution asked to stop.
  */
-bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings,
-  AutomaticPlan& plan, Execution& execution);
+bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, AutomaticPlan& plan,
+  Execution& execution);
 
 /**
  * Plans and denoises in place. A mesh that is not noisy, of no faces or of a few, keeps its

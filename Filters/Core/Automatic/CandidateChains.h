@@ -20,7 +20,7 @@ struct CandidateChain
 {
   const char* Purpose; ///< what it is for, for people
   SurfaceType Type;
-  bool Unfolds;        ///< takes folds out first, at the cost of detail
+  bool Unfolds; ///< takes folds out first, at the cost of detail
   std::vector<Method> Methods;
   MethodChain Steps;
 };

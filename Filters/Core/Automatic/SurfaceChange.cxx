@@ -77,9 +77,8 @@ SurfaceChange MeasureChange(const TriangleMesh& after, const Buffer<Vec3>& befor
   {
     change.FlippedFaces += geometry.Normals[f].dot(geometryAfter.Normals[f]) < 0.0 ? 1 : 0;
   }
-  const FeatureAgreement features = CompareFeatureEdges(
-    EdgeAdjacentFaces(mesh, stars, execution), geometryAfter.Normals, geometry.Normals, angle,
-    execution);
+  const FeatureAgreement features = CompareFeatureEdges(EdgeAdjacentFaces(mesh, stars, execution),
+    geometryAfter.Normals, geometry.Normals, angle, execution);
   change.FeatureEdgesBefore = features.Reference;
   change.FeatureEdgesKept = features.Found;
   change.FeatureEdgesAfter = features.Found + features.Invented;

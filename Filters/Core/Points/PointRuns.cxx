@@ -61,8 +61,7 @@ constexpr auto AllAxes = { 0, 1, 2 };
 void FormRuns(const Buffer<Vec3>& points, Buffer<Index>& order, Execution& execution)
 {
   const std::size_t count = order.size();
-  execution.For(
-    (count + StretchLength - 1) / StretchLength,
+  execution.For((count + StretchLength - 1) / StretchLength,
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<NumberedPoint> stretch(std::min(count, StretchLength));

@@ -57,7 +57,10 @@ public:
   /// Coordinates of all points; the last run is filled up with NaN.
   const double* Coordinates(int axis) const { return this->Axes[axis].data(); }
 
-  Vec3 Point(std::size_t i) const { return { this->Axes[0][i], this->Axes[1][i], this->Axes[2][i] }; }
+  Vec3 Point(std::size_t i) const
+  {
+    return { this->Axes[0][i], this->Axes[1][i], this->Axes[2][i] };
+  }
 
   Box BoxOf(std::size_t run) const;
 

@@ -33,8 +33,8 @@ RowSums SumRow(const NormalFilter& weights, const Buffer<Vec3>& normals,
   constexpr bool pull = quadric || Scheme == PointScheme::Gradient;
   constexpr bool neighbor =
     Scheme == PointScheme::NeighborHeight || Scheme == PointScheme::BalancedHeight;
-  constexpr bool own = Scheme == PointScheme::OwnHeight ||
-    Scheme == PointScheme::BalancedHeight || Scheme == PointScheme::Gradient;
+  constexpr bool own = Scheme == PointScheme::OwnHeight || Scheme == PointScheme::BalancedHeight ||
+    Scheme == PointScheme::Gradient;
   const Vec3 n = normals[i];
   const Vec3 p = positions[i];
   const Vec3 line = quadric && settings.Lines ? (*settings.Lines)[i] : Vec3(0.0, 0.0, 0.0);

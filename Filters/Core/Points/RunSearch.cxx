@@ -15,7 +15,8 @@ namespace
 
 using Box = PointRuns::Box;
 
-/// Up to as many points are ranked by comparing all pairs, which takes no branches; more are sorted.
+/// Up to as many points are ranked by comparing all pairs, which takes no branches; more are
+/// sorted.
 constexpr std::size_t MostRanked = 96;
 
 /// Numbers that are handled together, whatever the width of vectors.

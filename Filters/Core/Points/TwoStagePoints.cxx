@@ -110,8 +110,8 @@ private:
     return MakeErrorNorm(weights.Norm, normScale * ScaleUnit(points, weights.Argument));
   }
 
-  /// True if both stages have the same fixed weights: normals change, but points do not move between
-  /// the two.
+  /// True if both stages have the same fixed weights: normals change, but points do not move
+  /// between the two.
   bool HasOneGeometry(const PointSet& points) const
   {
     const PointWeights& one = this->Settings.Normals;
