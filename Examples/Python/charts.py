@@ -44,7 +44,7 @@ def save_charts(name, charts, columns, chart_size=(460, 340)):
     view.GetRenderer().SetBackground(1.0, 1.0, 1.0)
     view.GetRenderWindow().SetOffScreenRendering(1)
     view.GetRenderWindow().SetSize(columns * chart_size[0], rows * chart_size[1])
-    view.GetRenderWindow().SetMultiSamples(8)
+    view.GetRenderWindow().SetMultiSamples(0)
     view.GetScene().AddItem(matrix)
     view.Render()
     image = vtkWindowToImageFilter()

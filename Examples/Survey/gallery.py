@@ -25,4 +25,4 @@ def draw(picture, kind, model, results, curves=False):
     panels = [Panel(surface, caption, lines=feature_curves(surface) if curves else None)
               for surface, caption in surfaces]
     save_contact_sheet(picture, panels, model.view, model.up, panel_area=62000, font_size=11)
-    use_palette(picture, 96)
+    use_palette(picture, 80)

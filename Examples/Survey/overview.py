@@ -13,8 +13,10 @@ from trials import Result, run
 
 FEATURES = {"FeatureAngle": 30.0, "FeatureRings": 2}
 NOTE = ("Near features is within 2 rings of faces around edges of more than 30\u00b0. Noise removed is "
-        "how much less the mean {} is than before; edges kept, how many of the edges of more than "
-        "{:g}\u00b0 of the truth still are such.")
+        "how much less the mean {} is than before. ")
+EDGE_NOTE = ("Edges kept are those edges of more than {:g}\u00b0 of the truth that still are such."
+             .format(CURVE_ANGLE))
+POINT_NOTE = "Distances are in thousandths of the diagonal of the truth."
 
 
 class Kind:
@@ -23,8 +25,9 @@ class Kind:
     def __init__(self, module, listed, statements, quantities, factor, unit, form):
         self.module = module
         self.statements = statements
-        self.methods = [method for method in listed
-                        if method.caption in statements or method.proxy == "DenoiseSurface"]
+        self.methods = [method for caption in statements for method in listed
+                        if method.caption == caption]
+        self.methods += [method for method in listed if method.proxy == "DenoiseSurface"]
         self.mean, self.near, self.elsewhere = quantities
         self.factor = factor
         self.unit = unit
@@ -65,7 +68,7 @@ def removed(kind, before, result):
 
 def table_of(kind, cad, cad_results, organic, organic_results):
     """Markdown: errors on the model with edges, and the share of the noise that goes on both."""
-    head = ["method", "section and weights", "by the survey",
+    head = ["method", "section and weights in the survey", "to be expected by it",
             "{}: near features ({})".format(cad.name, kind.unit), "elsewhere", "noise removed (%)"]
     head += ["edges kept (%)"] if kind is MESHES else []
     head.append("{}: noise removed (%)".format(organic.name))
@@ -90,10 +93,10 @@ def table_of(kind, cad, cad_results, organic, organic_results):
 
 
 def note(kind):
-    what = "angle to the true normals" if kind is MESHES else \
-        "distance from the true surface, in thousandths of its diagonal,"
-    return NOTE.format(what, CURVE_ANGLE) if kind is MESHES else \
-        NOTE.format(what, CURVE_ANGLE).split("; edges kept")[0] + "."
+    """What the numbers in the table are."""
+    text = NOTE.format("angle to the true normals" if kind is MESHES
+                       else "distance from the true surface")
+    return text + (EDGE_NOTE if kind is MESHES else POINT_NOTE)
 
 
 def numbers_of(part, model, results):

@@ -7,11 +7,11 @@ from collections import namedtuple
 
 # section   where the survey treats the method
 # weights   the error norm, what it is applied to, and the spatial weight
-# expected  what becomes of edges and noise by the survey
+# expected  what becomes of edges and noise
 Statement = namedtuple("Statement", "section weights expected")
 
 FADES = "influence fades with the difference: edges well above the scale stay"
-SPATIAL = "the same with less say for what is far: smoother, edges stay"
+SPATIAL = "faces that are far count less: smoother sides, edges stay"
 
 # By the captions of methods.py.
 MESH_STATEMENTS = {

@@ -27,9 +27,10 @@ from tables import write_csv
 
 Model = namedtuple("Model", "name noisy truth family view up")
 
-# Name of the option, family of parameters, noise in mean edge lengths, view, up.
-MODELS = (("fandisk", "cad", 0.3, (1.0, -1.6, 0.9), (0.0, 0.0, 1.0)),
-          ("nicola", "organic", 0.2, (0.2, 0.1, 1.0), (0.0, 1.0, 0.0)))
+# Name of the option, family of parameters, noise in mean edge lengths, and for the picture, view and
+# up, which suit the files of the survey.
+MODELS = (("fandisk", "cad", 0.3, (1.0, 0.9, -1.6), (0.0, 1.0, 0.0)),
+          ("nicola", "organic", 0.2, (-1.0, 0.1, -0.4), (0.0, 1.0, 0.0)))
 FILES = ("survey.md", "survey.csv", "shrinkage-curves.png", "shrinkage.png", "nicola.png",
          "fandisk.png", "norms.png")
 PAGE = """# The survey, repeated
@@ -77,21 +78,23 @@ def parse_options():
 
 def open_model(options, name, family, noise):
     files = getattr(options, name)
-    truth = open_surface(files[-1])
+    truth_file = files[-1]
+    truth = open_surface(truth_file)
     noisy = open_surface(files[0]) if len(files) == 2 else \
         SurfaceNoise(Input=truth, Direction="Vertex Normals", Size=noise)
-    return Model(os.path.splitext(os.path.basename(files[-1]))[0], noisy, truth, family,
+    title = name if len(files) == 2 else os.path.splitext(os.path.basename(truth_file))[0]
+    return Model(title, noisy, truth, family,
                  getattr(options, name + "_view"), getattr(options, name + "_up"))
 
 
 def describe(options):
+    """Which files are denoised."""
     lines = []
-    for (name, _, noise, *_), title in zip(MODELS, ("Fandisk", "Nicola")):
+    for name, _, noise, *_ in MODELS:
         files = [os.path.basename(file) for file in getattr(options, name)]
-        lines.append("{}: {}.".format(title, "{} with the truth {}".format(*files)
-                                      if len(files) == 2 else
-                                      "{} with noise of {:g} mean edge lengths along normals".format(
-                                          files[0], noise)))
+        known = "{} with the truth {}".format(*files) if len(files) == 2 else \
+            "{} with noise of {:g} mean edge lengths along normals".format(files[0], noise)
+        lines.append("{}: {}.".format(name.capitalize(), known))
     return " ".join(lines)
 
 
