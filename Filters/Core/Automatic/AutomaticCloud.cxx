@@ -247,7 +247,6 @@ bool DenoiseAutomatically(PointCloud& cloud, double strength, AutomaticCloudRepo
   {
     settings.OuterIterations = 0; // normals tell outliers the side
   }
-  const Buffer<Vec3> before = clean.Positions;
   InterruptedExecution denoising(execution, 0.3, 1.0);
   if (!DenoisePoints(clean, settings, report.Denoising, denoising) || !execution.Proceed(1.0))
   {
