@@ -83,10 +83,10 @@ void TestMeshes(int& failures)
   CHECK(filter->GetChosenMethods() != "None" && !filter->GetReason().empty());
   CHECK(Figure(output, "Mean Displacement") == filter->GetMeanDisplacement());
   CHECK(filter->GetMeanDisplacement() > 0.03);
-  CHECK(std::abs(Figure(output, "Volume Change")) < 0.01);
-  // 12 edges of 20 each, at 90 degrees.
-  CHECK(filter->GetNumberOfFeatureEdgesAfter() >= 225);
-  CHECK(filter->GetNumberOfFeatureEdgesAfter() <= 250);
+  // Eight edges of 20 each, at 90 degrees; the top is open.
+  CHECK(filter->GetNumberOfFeatureEdgesAfter() >= 150);
+  CHECK(filter->GetNumberOfFeatureEdgesAfter() <= 170);
+  CHECK(std::isnan(Figure(output, "Volume Change")));
   auto* choice =
     vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("DenoisingChoice"));
   CHECK(choice && choice->GetValue(0) == filter->GetChosenMethods());
@@ -108,6 +108,7 @@ void TestMeshes(int& failures)
   auto sphere = NoisySphere(60, 0.01);
   output = Run(filter, sphere, seen);
   CHECK(Roughness(output) < 0.6 * Roughness(sphere));
+  CHECK(std::abs(Figure(output, "Volume Change")) < 0.01);
   CHECK(filter->GetChosenMethods() != forCubes);
   filter->SetSurfaceTypeToCurved();
   Run(filter, cube, seen);
@@ -146,7 +147,8 @@ void TestPolygons(int& failures)
   vtkNew<vtkStripper> stripper;
   stripper->SetInputData(sphere);
   stripper->Update();
-  const double apart = PointDistance(Run(filter, stripper->GetOutput(), seen), stripper->GetOutput());
+  const double apart =
+    PointDistance(Run(filter, stripper->GetOutput(), seen), stripper->GetOutput());
   CHECK(filter->GetOutput()->GetNumberOfStrips() == stripper->GetOutput()->GetNumberOfStrips());
   CHECK(apart > 0.001);
 
