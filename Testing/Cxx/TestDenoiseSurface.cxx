@@ -236,7 +236,9 @@ void TestAbort(int& failures)
       vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(1500, 0.03) : NoisyBox(12, 0.2);
       filter->SetInputData(input);
       filter->Update();
-      CHECK(PointDistance(filter->GetOutput(), input) == 0.0);
+      // The executive of VTK may empty the output.
+      vtkPolyData* output = filter->GetOutput();
+      CHECK(output->GetNumberOfPoints() == 0 || PointDistance(output, input) == 0.0);
     }
   }
 }

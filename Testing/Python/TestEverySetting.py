@@ -66,6 +66,7 @@ POINT_CONTEXTS = {
     "RenewNeighborhood": [{"NumberOfOuterIterations": 2}],
     "NumberOfNormalNeighbors": [{"NormalSource": 3}],
     "UnorientedNormals": [{"NormalOrientation": 1}],
+    "UseSkeleton": [{"SkeletonRadius": 1.0}],
     "vtkMovingLeastSquaresFilter.LocalScale": [{"Bandwidth": 2.0}],
 }
 
