@@ -33,6 +33,7 @@ TRUTH_NOTE = ("Distances are those of the points from the truth, in thousandths 
 NO_TRUTH_NOTE = "There is no truth: displacements are against the input."
 
 MOST_DISCS = 100000  # more are not seen
+KEPT = 1  # the status of points that are left as they were
 
 
 def bare_points(surface):
@@ -51,10 +52,22 @@ def measure(cloud, noisy, truth, **settings):
     """The quantities that a result is judged by."""
     if truth:
         return compare_points(cloud, truth, **settings)[1]
-    lengths = displacements(cloud, noisy) / (report(cloud, "MeanSpacing") or math.nan)
+    lengths = displacements(cloud, noisy) / (mean_spacing(noisy) or math.nan)
+    status = vtk_to_numpy(Fetch(cloud).GetPointData().GetArray("Status"))
     return {"MeanDisplacement": numpy.nanmean(lengths),
             "MaximumDisplacement": numpy.nanmax(lengths),
-            "KeptPoints": float(report(cloud, "NumberOfKeptPoints"))}
+            "KeptPoints": float(numpy.count_nonzero(status == KEPT))}
+
+
+def upright(cloud):
+    """The cloud with its normals or, if it has none, with those of fits; nothing moves."""
+    return RobustPointNormalFilter(Input=cloud, NumberOfOuterIterations=0,
+                                   NormalOrientation="Keep")
+
+
+def mean_spacing(cloud):
+    """Which not every filter reports."""
+    return report(upright(cloud), "MeanSpacing")
 
 
 def compare_points(cloud, truth, **settings):
@@ -71,21 +84,20 @@ def short_error(quantities):
 def shown(cloud):
     """What a picture shows: discs at the points, across their normals, which are those of the cloud
     or, if it has none, of fits. They are so large that neighbours overlap."""
-    upright = RobustPointNormalFilter(Input=cloud, NumberOfOuterIterations=0,
-                                      NormalOrientation="Keep")
-    points = positions(upright)
+    cloud = upright(cloud)
+    points = positions(cloud)
     finite = numpy.flatnonzero(numpy.isfinite(points).all(axis=1))
     stride = math.ceil(len(finite) / MOST_DISCS)
     picked = finite[::stride]
     data = vtkPolyData()
     data.SetPoints(vtkPoints())
     data.GetPoints().SetData(numpy_to_vtk(points[picked], deep=1))
-    arrays = Fetch(upright).GetPointData()
+    arrays = Fetch(cloud).GetPointData()
     for name in ("Normals", "Shown"):
         if arrays.HasArray(name):
             add_array(data, name, vtk_to_numpy(arrays.GetArray(name))[picked])
     # An outlier is no larger than others.
-    sizes = numpy.minimum(distances_to_neighbor(data, 6), 2.0 * report(upright, "MeanSpacing")
+    sizes = numpy.minimum(distances_to_neighbor(data, 6), 2.0 * report(cloud, "MeanSpacing")
                           * math.sqrt(stride))
     add_array(data, "Size", sizes)
     discs = Glyph(Input=points_of(as_source(data)), GlyphType="2D Glyph", GlyphMode="All Points",
@@ -136,7 +148,7 @@ def demo_known(truth, noisy, denoised):
 def demo_unknown(noisy, denoised):
     """See meshes."""
     found = measure(denoised, noisy, None)
-    moved = scaled(denoised, "Displacement", 1.0 / (report(denoised, "MeanSpacing") or math.nan))
+    moved = scaled(denoised, "Displacement", 1.0 / (mean_spacing(noisy) or math.nan))
     return [Panel(shown(noisy), "Input"),
             Panel(shown(denoised), "Denoised"),
             Panel(shown(moved), "How far points moved", ("POINTS", "Shown"),

@@ -13,33 +13,16 @@ are asked for. Writes a table (comparison.md; comparison.csv has all numbers) an
 """
 
 import argparse
-import importlib
 import os
-import sys
-import time
-
-from paraview.servermanager import Fetch
 
 import clouds
 import meshes
 import methods
 from sidebyside import Panel, save_contact_sheet
-from surfaces import (add_noise, add_noise_options, add_output_options, as_source, check_written,
-                      fail, has_polygons, open_surface, output_files, seconds_to_update)
+from surfaces import (add_noise, add_noise_options, add_output_options, check_written, fail,
+                      has_polygons, open_surface, output_files)
 from tables import markdown_table, number, write_csv
-
-
-class Result:
-    """What became of a surface, in numbers, or why nothing did."""
-
-    def __init__(self, caption, method=None, settings=None):
-        self.caption = caption
-        self.method = method
-        self.settings = settings or {}
-        self.surface = None
-        self.seconds = float("nan")
-        self.quantities = {}
-        self.failure = ""
+from trials import Result, run
 
 
 def parse_options():
@@ -68,54 +51,19 @@ def parse_options():
     return options
 
 
-def make_peer(proxy, settings, noisy):
-    """The output of a class of VTK as a source, and how long it took."""
-    peer = getattr(importlib.import_module("vtkmodules.vtkFiltersCore"), proxy)()
-    for name, value in settings.items():
-        getattr(peer, "Set" + name)(value)
-    peer.SetInputData(Fetch(noisy))
-    start = time.perf_counter()
-    peer.Update()
-    seconds = time.perf_counter() - start
-    source = as_source(peer.GetOutput())
-    seconds_to_update(source)
-    return source, seconds
-
-
 def choose_methods(options, noisy):
     """Whether points alone are compared, and the methods: what is not said depends on what is
     there."""
-    on_points = [methods.is_for_points(method) for method in options.methods]
-    points = options.points or not has_polygons(noisy) or (bool(on_points) and all(on_points))
+    points = options.points or not has_polygons(noisy) or (
+        bool(options.methods) and all(map(methods.is_for_points, options.methods)))
+    chosen = methods.of_kind(options.methods, points)
+    on_points = [methods.is_for_points(method) for method in chosen]
     if points and not all(on_points):
         fail("{} wants polygons, not the points of {}".format(
-            options.methods[on_points.index(False)].caption, options.noisy or options.truth))
+            chosen[on_points.index(False)].caption, options.noisy or options.truth))
     if not points and any(on_points):
         fail("methods for surfaces and methods for points do not go into one table")
-    return points, options.methods or (methods.POINT_METHODS if points else methods.METHODS)
-
-
-def measure(kind, surface, noisy, truth, options):
-    return kind.measure(surface, noisy, truth, FeatureAngle=options.feature_angle,
-                        FeatureRings=options.feature_rings)
-
-
-def run(kind, method, noisy, truth, options):
-    """Whatever a method does wrong, the others get their turn."""
-    family = options.parameters
-    result = Result(method.caption, method, methods.settings_for(method.settings, family))
-    try:
-        if methods.is_peer(method):
-            result.surface, result.seconds = make_peer(method.proxy, result.settings, noisy)
-        else:
-            result.surface = methods.make_filters(method, family, noisy)
-            result.seconds = seconds_to_update(result.surface)
-        result.quantities = measure(kind, result.surface, noisy, truth, options)
-    except Exception as error:
-        # ParaView may say more; the first sentence is enough for a table.
-        result.failure = " ".join(str(error).split()).split(". ")[0] or type(error).__name__
-        print("{}: {}".format(method.caption, result.failure), file=sys.stderr)
-    return result
+    return points, chosen or (methods.POINT_METHODS if points else methods.METHODS)
 
 
 def table_of(results, columns):
@@ -173,16 +121,18 @@ def main():
         noisy = clouds.points_of(noisy) if options.noisy else clouds.bare_points(noisy)
     table_file, csv_file, picture = output_files(
         options.output, ("comparison.md", "comparison.csv", "comparison.png"))
+    features = {"FeatureAngle": options.feature_angle, "FeatureRings": options.feature_rings}
     results = []
     if truth:
         before = Result("Noisy")
         before.surface = noisy
         try:
-            before.quantities = measure(kind, noisy, noisy, truth, options)
+            before.quantities = kind.measure(noisy, noisy, truth, **features)
         except RuntimeError:
             fail("the noisy surface cannot be compared with the truth")
         results.append(before)
-    results += [run(kind, method, noisy, truth, options) for method in chosen]
+    results += [run(kind, method, noisy, truth, options.parameters, **features)
+                for method in chosen]
 
     table = table_of(results, kind.WITH_TRUTH if truth else kind.WITHOUT_TRUTH)
     with open(table_file, "w", encoding="utf-8") as stream:

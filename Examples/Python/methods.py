@@ -124,6 +124,9 @@ METHODS = [
         "cad": {"SpatialScale": 1.5},
         "organic": {"SpatialScale": 1.5},
     }),
+    Method("DenoiseSurface", "Denoise Surface (automatic)", "composed", {
+        "default": {},
+    }),
     Method("vtkWindowedSincPolyDataFilter", "Windowed sinc (VTK)",
            "Taubin, Zhang, Golub 1996", {
                "default": {"NormalizeCoordinates": 1},
@@ -183,6 +186,9 @@ POINT_METHODS = [
                "default": {},
                "cad": {"NumberOfOuterIterations": 12},
            }),
+    Method("DenoiseSurface", "Denoise Surface (automatic, points)", "composed", {
+        "default": {"PointsOnly": 1},
+    }),
 ]
 
 
@@ -192,6 +198,14 @@ def is_peer(method):
 
 def is_for_points(method):
     return method in POINT_METHODS
+
+
+def of_kind(chosen, points):
+    """The methods without those that are for the other kind of data, of filters that are chosen for
+    both: the name of the filter stands for the one that fits."""
+    proxies = [method.proxy for method in chosen if is_for_points(method) == points]
+    return [method for method in chosen
+            if is_for_points(method) == points or method.proxy not in proxies]
 
 
 def settings_for(settings, family):

@@ -13,8 +13,9 @@ from paraview.simple import (AssignViewToLayout, ColorBy, CreateLayout, CreateVi
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # A surface with a caption. Colored by (association, name) of an array from 0 to top, if there is
-# one; legend then says what the colors mean.
-Panel = namedtuple("Panel", "surface caption array top legend", defaults=(None, 1.0, ""))
+# one; legend then says what the colors mean. Lines, if there are any, are drawn in black on top.
+Panel = namedtuple("Panel", "surface caption array top legend lines",
+                   defaults=(None, 1.0, "", None))
 
 INK = [0.13, 0.15, 0.19]
 CLAY = [0.78, 0.80, 0.83]
@@ -33,11 +34,11 @@ def save_picture(name, panels, direction, up, panel_size=(700, 560)):
     close(views)
 
 
-def save_contact_sheet(name, panels, direction, up, panel_area=240000):
+def save_contact_sheet(name, panels, direction, up, panel_area=240000, font_size=21):
     """Writes many panels as one PNG, in a grid. The first surface fills its panel; where the others
     are is seen in the same place."""
     columns = len(panels) if len(panels) <= 3 else math.ceil(math.sqrt(len(panels)))
-    views = [make_view(panel, 21, 0.905) for panel in panels]
+    views = [make_view(panel, font_size, 0.905) for panel in panels]
     layout = arrange(views, columns)
     axes, points = seen_from(panels[0].surface, direction, up)
     width, height = numpy.ptp(points[:, :2], axis=0)
@@ -52,7 +53,7 @@ def save_contact_sheet(name, panels, direction, up, panel_area=240000):
 
 def capture(name, layout, columns, rows, panel_size, **settings):
     SaveScreenshot(name, layout, SeparatorWidth=2, SeparatorColor=[1.0, 1.0, 1.0],
-                   OverrideColorPalette="",
+                   OverrideColorPalette="", CompressionLevel="9",
                    ImageResolution=[columns * panel_size[0], rows * panel_size[1]], **settings)
 
 
@@ -85,6 +86,11 @@ def make_view(panel, font_size=18, height=0.915):
     display.SpecularPower = 25.0
     if panel.array:
         color(display, view, panel)
+    if panel.lines:
+        lines = Show(panel.lines, view)
+        lines.ColorArrayName = ["POINTS", ""]
+        lines.AmbientColor = lines.DiffuseColor = [0.0, 0.0, 0.0]
+        lines.LineWidth = 2.0
     caption = Show(Text(Text=panel.caption), view)
     caption.WindowLocation = "Any Location"
     caption.Position = [0.025, height]

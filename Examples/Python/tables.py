@@ -18,14 +18,14 @@ def print_table(head, rows):
                         [text.rjust(width) for text, width in zip(row[1:], widths[1:])]))
 
 
-def markdown_table(head, rows):
-    """The first two columns are words, the others numbers."""
+def markdown_table(head, rows, words=2):
+    """The first columns are words, the others numbers."""
     # A reason for a failure may be long; it does not make its column so.
     widths = [max(len(text) for text in column if not text.startswith("failed"))
               for column in zip(head, *rows)]
-    rule = ["-" * width if i < 2 else "-" * (width - 1) + ":" for i, width in enumerate(widths)]
+    rule = ["-" * width if i < words else "-" * (width - 1) + ":" for i, width in enumerate(widths)]
     return "\n".join(
-        "| " + " | ".join(text.ljust(width) if i < 2 else text.rjust(width)
+        "| " + " | ".join(text.ljust(width) if i < words else text.rjust(width)
                           for i, (text, width) in enumerate(zip(row, widths))) + " |"
         for row in [head, rule] + rows)
 

@@ -101,7 +101,7 @@ numpy.savetxt("noisy.xyz", positions(OpenDataFile("noisy.ply")))
 runs = (("known", ("noisy.ply", "truth.ply", "--points")),
         ("made", ("--truth", "truth.ply", "--noise", "0.2", "--methods", "Rolling point normal")),
         ("own", ("noisy.xyz", "--parameters", "organic", "--methods", "Moving robust PCA",
-                 "robust point normal")))
+                 "robust point normal", "DenoiseSurface")))
 for folder, arguments in runs:
     text, end = compare(*arguments, "-o", "points_" + folder)
     assert end is None, end
@@ -116,9 +116,9 @@ for folder, arguments in runs:
             assert after < 0.7 * before, (name, before, after)
             assert float(rows[name]["MeanPointNormalAngle"]) < 20.0, rows[name]
     every = len(rows) - (folder != "own")
-    assert every == {"known": len(methods.POINT_METHODS), "made": 1, "own": 2}[folder], list(rows)
-check_panels("points_known/comparison.png", columns=4, rows=3, count=len(methods.POINT_METHODS) + 2)
-check_panels("points_own/comparison.png", columns=3)
+    assert every == {"known": len(methods.POINT_METHODS), "made": 1, "own": 3}[folder], list(rows)
+check_panels("points_known/comparison.png", columns=4, rows=4, count=len(methods.POINT_METHODS) + 2)
+check_panels("points_own/comparison.png", columns=2, rows=2)
 
 # One clear message, and an exit code that says so.
 SaveData("points.vtp", PointSource(NumberOfPoints=10), DataMode="Ascii")
