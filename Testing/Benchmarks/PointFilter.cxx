@@ -12,14 +12,24 @@ namespace
 
 const std::string Composer = "Robust Point Normal";
 
+/// The same with one step of normals and one of points, as other methods have: its own defaults are
+/// two and five.
+const std::string OneStep = "Robust Point Normal, one step";
+
 /// Methods that are not measured.
 const std::string LeftOut = "Voting Tensor Point";
 
 vtkSmartPointer<vtkPointDenoisingFilter> FindFilter(const std::string& name)
 {
-  if (name == Composer)
+  if (name == Composer || name == OneStep)
   {
-    return vtkSmartPointer<vtkRobustPointNormalFilter>::New();
+    auto composer = vtkSmartPointer<vtkRobustPointNormalFilter>::New();
+    if (name == OneStep)
+    {
+      composer->SetNumberOfNormalIterations(1);
+      composer->SetNumberOfPointIterations(1);
+    }
+    return composer;
   }
   for (int method = 0; method < vtkPointDenoisingMethods::GetNumberOfMethods(); ++method)
   {
@@ -35,7 +45,7 @@ vtkSmartPointer<vtkPointDenoisingFilter> FindFilter(const std::string& name)
 
 std::vector<std::string> PointFilterNames()
 {
-  std::vector<std::string> names{ Composer };
+  std::vector<std::string> names{ Composer, OneStep };
   for (int method = 0; method < vtkPointDenoisingMethods::GetNumberOfMethods(); ++method)
   {
     const std::string name = vtkPointDenoisingMethods::GetName(method);

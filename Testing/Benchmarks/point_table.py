@@ -18,7 +18,7 @@ MILLION = 1000000
 SIZES = (100000, MILLION, 4000000)
 REFERENCE = "CGAL Bilateral"
 # Times the speed of the reference that is wanted.
-LEAST = {"Bilateral Point": 3.0, "Robust Point Normal": 3.0}
+LEAST = {"Bilateral Point": 3.0, "Robust Point Normal, one step": 3.0}
 MOST_BYTES = 600.0
 FLAT = 1.3
 

@@ -3,6 +3,7 @@
 
 // Noise that is estimated from a surface, against noise that was put there.
 
+#include "Automatic/Spikes.h"
 #include "Automatic/SurfaceNoise.h"
 #include "AutomaticShapes.h"
 #include "CompareMeshes.h"

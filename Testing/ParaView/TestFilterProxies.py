@@ -12,7 +12,7 @@ from surfacedenoising import vtkDenoisingMethods as methods
 from surfacedenoising import vtkPointDenoisingMethods as point_methods
 
 # What is in the menu beside the filters of the tables of methods.
-OTHERS = {"NormalPointUpdate", "NormalVertexUpdate", "RobustPointNormalFilter",
+OTHERS = {"DenoiseSurface", "NormalPointUpdate", "NormalVertexUpdate", "RobustPointNormalFilter",
           "SurfaceComparison", "SurfaceNoise"}
 
 

@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 # Settings that change no output, with the reason.
 EXCEPTIONS = {
     "NumberOfThreads": "results are the same on any number of threads",
+    "vtkDenoiseSurface.FeatureAngle": "it changes the report alone",
     "vtkFeatureAwarePointFilter.LocalScale": "all widths of the method are local anyway",
 }
 
@@ -65,6 +66,7 @@ POINT_CONTEXTS = {
     "RenewNeighborhood": [{"NumberOfOuterIterations": 2}],
     "NumberOfNormalNeighbors": [{"NormalSource": 3}],
     "UnorientedNormals": [{"NormalOrientation": 1}],
+    "UseSkeleton": [{"SkeletonRadius": 1.0}],
     "vtkMovingLeastSquaresFilter.LocalScale": [{"Bandwidth": 2.0}],
 }
 

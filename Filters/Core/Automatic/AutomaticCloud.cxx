@@ -254,7 +254,6 @@ bool DenoiseAutomatically(PointCloud& cloud, const AutomaticSettings& asked,
   {
     settings.OuterIterations = 0; // normals tell outliers the side
   }
-  const Buffer<Vec3> before = clean.Positions;
   ProgressShare denoising(execution, 0.3, 1.0);
   if (!DenoisePoints(clean, settings, report.Denoising, denoising) || !execution.Proceed(1.0))
   {

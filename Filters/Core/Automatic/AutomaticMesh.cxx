@@ -7,6 +7,7 @@
 #include "CandidateChains.h"
 #include "ProgressShare.h"
 #include "SpikeRepair.h"
+#include "Spikes.h"
 
 #include <cmath>
 #include <cstdio>

@@ -5,7 +5,7 @@
 
 #include "../Methods.h"
 #include "../OneStage/VertexRings.h"
-#include "SurfaceNoise.h"
+#include "Spikes.h"
 
 namespace SurfaceDenoising
 {

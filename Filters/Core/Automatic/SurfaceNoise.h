@@ -28,9 +28,9 @@
  *   armadillo              0.99  1.02  1.03  1.02  0.97
  *
  * Weak noise between many features is found too strong. Of noise in all directions, the part along
- * the normals is found about 15% too weak where it folds the surface. Most of 20 clean models of
+ * the normals is found about 15% too weak where it folds the surface. Most of 25 clean models of
  * both kinds give 0, the others up to 0.034 mean edge lengths, but a femur with the steps of its
- * scan 0.07. The tests of SurfaceNoise repeat it on generated shapes.
+ * scan 0.07 and a coarse knot 0.06. The tests of SurfaceNoise repeat it on generated shapes.
  */
 
 #ifndef SurfaceDenoising_SurfaceNoise_h
@@ -61,24 +61,6 @@ struct SurfaceNoise
  */
 SurfaceNoise EstimateNoise(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution);
-
-/**
- * Marks vertices that stick out of the surface around them with 1. The planes of the faces that
- * touch the ring of a vertex but not the vertex miss it by some distances, of which the 15%
- * quantile counts: a vertex of a sharp edge or corner lies in the planes of its sides, a spike in
- * none. It is a spike if that distance is above 4 medians (or as many as given) and above least
- * mean edge lengths.
- */
-Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
-  Execution& execution, double least = 0.1, double medians = 4.0);
-
-/**
- * True if the spikes are impulsive noise: at least 2.2% of the vertices, and scattered. A neighbour
- * of a spike is one in at most a share of 0.03 + 2 p, p that of all vertices; narrow ridges, which
- * look like spikes, are rows of them.
- */
-bool AreImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<unsigned char>& spikes, Execution& execution);
 
 }
 

@@ -144,14 +144,33 @@ private:
       : 0;
   }
 
+  static bool IsMissing(const Vec3& normal) { return normal.isZero(0.0); }
+
+  /// True if the normals that came with the points count.
+  bool TakesGivenNormals() const
+  {
+    const Buffer<Vec3>& given = this->Points.Normals;
+    const NormalSource source = this->Settings.Normals.Source;
+    return (source == NormalSource::Automatic || source == NormalSource::Given) &&
+      !std::all_of(given.begin(), given.end(), IsMissing);
+  }
+
+  /// True if normals, or some, have to come from fits.
+  bool NeedsFits() const
+  {
+    const Buffer<Vec3>& given = this->Points.Normals;
+    return !this->TakesGivenNormals() || std::any_of(given.begin(), given.end(), IsMissing);
+  }
+
   /// As many nearest points as anything needs; after the first time, the neighbourhood alone.
   bool FindNearest(NeighborGraph& nearest, Execution& execution, double fraction)
   {
     std::size_t count = this->CountOfNeighborhood();
     if (this->Points.Spacings.empty())
     {
-      count = std::max({ count, SpacingNeighbors,
-        static_cast<std::size_t>(std::max(1, this->Settings.Normals.NumberOfNeighbors)) });
+      const int forNormals = this->NeedsFits() ? this->Settings.Normals.NumberOfNeighbors : 1;
+      count = std::max(
+        { count, SpacingNeighbors, static_cast<std::size_t>(std::max(1, forNormals)) });
     }
     if (count == 0)
     {
@@ -239,13 +258,11 @@ bool PointWork::FindNormals(const NeighborGraph& nearest, Execution& execution)
 {
   PointSet& points = this->Points;
   const PointNormalSettings& settings = this->Settings.Normals;
+  const bool takeGiven = this->TakesGivenNormals();
+  const bool fit = this->NeedsFits();
   const Buffer<Vec3> given = std::move(points.Normals);
-  auto isMissing = [](const Vec3& n) { return n.isZero(0.0); };
-  const bool anyGiven = !std::all_of(given.begin(), given.end(), isMissing);
-  const bool takeGiven = anyGiven &&
-    (settings.Source == NormalSource::Automatic || settings.Source == NormalSource::Given);
   points.Normals = Buffer<Vec3>();
-  if (!takeGiven || std::any_of(given.begin(), given.end(), isMissing))
+  if (fit)
   {
     const std::size_t count = static_cast<std::size_t>(std::max(2, settings.NumberOfNeighbors));
     InterruptedExecution interrupted(execution, 0.1);
