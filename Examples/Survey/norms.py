@@ -25,8 +25,8 @@ MEASURED = {"Operator": "Diffusion", "StepLength": STEP, "IncludeOwn": 0,
 
 
 def pairs_of_faces(angles):
-    """A surface of pairs of triangles; their normals, of which the first is the z axis, are at these
-    angles."""
+    """A surface of pairs of triangles; their normals, the first of which is the z axis, are at
+    these angles."""
     points, triangles = vtkPoints(), vtkCellArray()
     points.SetDataTypeToDouble()
     for i, angle in enumerate(angles):

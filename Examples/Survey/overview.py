@@ -12,8 +12,8 @@ from tables import markdown_table, number
 from trials import Result, run
 
 FEATURES = {"FeatureAngle": 30.0, "FeatureRings": 2}
-NOTE = ("Near features is within 2 rings of faces around edges of more than 30\u00b0. Noise removed is "
-        "how much less the mean {} is than before. ")
+NOTE = ("Near features is within 2 rings of faces around edges of more than 30\u00b0. Noise removed "
+        "is how much less the mean {} is than before. ")
 EDGE_NOTE = ("Edges kept are those edges of more than {:g}\u00b0 of the truth that still are such."
              .format(CURVE_ANGLE))
 POINT_NOTE = "Distances are in thousandths of the diagonal of the truth."
@@ -35,7 +35,8 @@ class Kind:
 
 
 MESHES = Kind(meshes, methods.METHODS, MESH_STATEMENTS,
-              ("MeanNormalAngle", "FeatureNormalAngle", "SmoothNormalAngle"), 1.0, "\u00b0", "{:.1f}")
+              ("MeanNormalAngle", "FeatureNormalAngle", "SmoothNormalAngle"),
+              1.0, "\u00b0", "{:.1f}")
 CLOUDS = Kind(clouds, methods.POINT_METHODS, POINT_STATEMENTS,
               ("RelativeMeanDistance", "RelativeFeatureDistance", "RelativeSmoothDistance"),
               1000.0, "thousandths", "{:.2f}")

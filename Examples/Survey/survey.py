@@ -27,8 +27,8 @@ from tables import write_csv
 
 Model = namedtuple("Model", "name noisy truth family view up")
 
-# Name of the option, family of parameters, noise in mean edge lengths, and for the picture, view and
-# up, which suit the files of the survey.
+# Name of the option, family of parameters, noise in mean edge lengths, and view and up in the
+# picture, which suit the files of the survey.
 MODELS = (("fandisk", "cad", 0.3, (1.0, 0.9, -1.6), (0.0, 1.0, 0.0)),
           ("nicola", "organic", 0.2, (-1.0, 0.5, -0.1), (0.0, 1.0, 0.0)))
 FILES = ("survey.md", "survey.csv", "shrinkage-curves.png", "shrinkage.png", "nicola.png",

@@ -55,8 +55,8 @@ for name, expected in (("L2", numpy.ones(5)), ("Truncated L2", x < 0.5),
     assert numpy.allclose(found, expected, atol=1e-6), (name, found, expected)
 assert len(norms.norm_names()) == 10, norms.norm_names()
 
-# A cube has edges, a sphere has none; of one the noisy surface is given. Some methods are enough, one
-# of which fails.
+# A cube has edges, a sphere has none; of one the noisy surface is given. Some methods are enough,
+# one of which fails.
 CHOSEN = ("Normal diffusion", "Mean normal", "Tukey bilateral", "Moving robust PCA")
 for kind in (overview.MESHES, overview.CLOUDS):
     kind.methods[:] = [method for method in kind.methods
