@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 namespace SurfaceDenoising
@@ -30,9 +31,12 @@ constexpr double LeastLevel = 0.035;
 /// strong already.
 double Caution(double level) { return std::min(1.1, 0.95 + level); }
 
+/// Chains that take away as much more than the noise that is assumed say that there is more.
+constexpr double LargestExcess = 1.3;
+constexpr double MostCorrection = 3.0;
 /// A gain below this is not certain: the mean square error must fall to this share of that of the
 /// input.
-constexpr double LargestError = 0.7;
+constexpr double LargestError = 0.8;
 /// The same as the caution for surfaces with so many folded faces that the noise has any direction.
 /// It is stronger than its part along the normals looks.
 constexpr double CautionIfFolded = 1.3;
@@ -92,6 +96,35 @@ double RemovedAlongNormals(const TriangleMesh& mesh, const Buffer<Vec3>& before,
 
 }
 
+namespace
+{
+
+double MeanOf(const GroupRisks& risks)
+{
+  return std::accumulate(risks.begin(), risks.end(), 0.0) / double(RiskGroups);
+}
+
+/// The risks of all candidates, and the least of what they take from the flattest faces.
+bool FindRisks(const std::vector<const CandidateChain*>& candidates, ChainRisk& risk,
+  std::vector<GroupRisks>& risks, double& removed, Execution& execution)
+{
+  risks.resize(candidates.size());
+  removed = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+  {
+    const double part = 1.0 / double(candidates.size());
+    ProgressShare share(execution, double(k) * part, double(k + 1) * part);
+    if (!risk.Of(candidates[k]->Steps, risks[k], share))
+    {
+      return false;
+    }
+    removed = std::min(removed, risk.RemovedFromFlats());
+  }
+  return true;
+}
+
+}
+
 bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, AutomaticPlan& plan,
   Execution& execution)
 {
@@ -108,10 +141,10 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, 
   ProgressShare start(execution, 0.0, 0.05);
   ChainRisk risk(sample, PilotChain(), start);
   const bool folded = risk.FoldedShare() > StronglyFolded;
-  risk.Assume(
-    (folded ? CautionIfFolded : Caution(plan.Noise.Level)) * strength * plan.Noise.Deviation);
-  // The first candidate is to do nothing.
-  std::vector<const CandidateChain*> candidates(1, nullptr);
+  const double assumed =
+    (folded ? CautionIfFolded : Caution(plan.Noise.Level)) * strength * plan.Noise.Deviation;
+  risk.Assume(assumed);
+  std::vector<const CandidateChain*> candidates;
   for (const CandidateChain& chain : CandidateChains())
   {
     const bool wanted =
@@ -121,31 +154,46 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, 
       candidates.push_back(&chain);
     }
   }
-  std::vector<GroupRisks> risks(candidates.size());
-  for (std::size_t k = 0; k < candidates.size(); ++k)
+  std::vector<GroupRisks> risks;
+  double removed = 0.0;
+  ProgressShare first(execution, 0.05, 0.5);
+  if (!FindRisks(candidates, risk, risks, removed, first))
   {
-    const double part = 0.95 / double(candidates.size());
-    ProgressShare share(execution, 0.05 + double(k) * part, 0.05 + double(k + 1) * part);
-    if (!risk.Of(candidates[k] ? candidates[k]->Steps : MethodChain(), risks[k], share))
+    return false;
+  }
+  // Noise of heavy tails is found too weak: then all chains take more of it away.
+  const double excess = removed * strength * strength;
+  if (excess > LargestExcess)
+  {
+    risk.Assume(std::min(MostCorrection, std::sqrt(excess)) * assumed);
+    ProgressShare second(execution, 0.5, 1.0);
+    if (!FindRisks(candidates, risk, risks, removed, second))
     {
       return false;
     }
   }
-  const std::size_t best = LeastRisk(risks);
-  plan.Reason = Describe(plan.Noise);
-  const double error =
-    std::accumulate(risks[best].begin(), risks[best].end(), 0.0) / double(RiskGroups);
-  if (best > 0 && error < LargestError)
+  // Only those with a gain that is certain.
+  std::vector<GroupRisks> certain;
+  std::vector<const CandidateChain*> chains;
+  for (std::size_t k = 0; k < candidates.size(); ++k)
   {
-    plan.Steps = candidates[best]->Steps;
-    plan.Methods = candidates[best]->Methods;
-    plan.Reason += std::string(", ") + candidates[best]->Purpose;
-    plan.ExpectedError = std::max(0.0, error);
+    if (MeanOf(risks[k]) < LargestError)
+    {
+      certain.push_back(risks[k]);
+      chains.push_back(candidates[k]);
+    }
   }
-  else
+  plan.Reason = Describe(plan.Noise);
+  if (chains.empty())
   {
     plan.Reason += ", but no method would make it much less: nothing to do";
+    return execution.Proceed(1.0);
   }
+  const std::size_t best = LeastRisk(certain);
+  plan.Steps = chains[best]->Steps;
+  plan.Methods = chains[best]->Methods;
+  plan.Reason += std::string(", ") + chains[best]->Purpose;
+  plan.ExpectedError = std::max(0.0, MeanOf(certain[best]));
   return execution.Proceed(1.0);
 }
 

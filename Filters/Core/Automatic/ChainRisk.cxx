@@ -19,8 +19,23 @@ namespace
 constexpr double Step = 0.3;
 /// What a folded face costs, in mean square errors of the input.
 constexpr double FoldCost = 0.5;
+/// Groups whose faces should lie in line with their neighbours, and what it costs if they do not.
+constexpr std::size_t FlatGroups = RiskGroups / 2;
+constexpr double RoughnessCost = 1.0;
 /// Risks that differ by less are the same.
 constexpr double Softening = 0.003;
+
+}
+
+namespace
+{
+
+Buffer<Vec3> NormalsOf(const TriangleMesh& mesh, Execution& execution)
+{
+  FaceGeometry geometry;
+  ComputeFaceGeometry(mesh, 0.0, geometry, execution);
+  return std::move(geometry.Normals);
+}
 
 }
 
@@ -79,6 +94,7 @@ ChainRisk::ChainRisk(const MeshSample& sample, const MethodChain& pilot, Executi
   }
 
   this->Group(vertexNormals);
+  this->Adjacent = EdgeAdjacentFaces(sample.Mesh, VertexStars(sample.Mesh), execution);
 }
 
 void ChainRisk::Group(const Buffer<Vec3>& vertexNormals)
@@ -131,6 +147,26 @@ void ChainRisk::Assume(double deviation)
   }
 }
 
+/// Mean square difference between the normals of the faces of a group and those of their
+/// neighbours.
+double ChainRisk::Roughness(const Buffer<Vec3>& normals, std::size_t group,
+  Execution& execution) const
+{
+  const Buffer<Index>& faces = this->Groups[group];
+  const double sum = OrderedSum(execution, faces.size(), 0.0,
+    [&](std::size_t k)
+    {
+      double squares = 0.0;
+      const Span<Index> row = this->Adjacent.Row(faces[k]);
+      for (const Index f : row)
+      {
+        squares += (normals[f] - normals[faces[k]]).squaredNorm();
+      }
+      return row.size() > 0 ? squares / double(row.size()) : 0.0;
+    });
+  return faces.empty() ? 0.0 : sum / double(faces.size());
+}
+
 Vec3 ChainRisk::Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size_t face) const
 {
   const Triangle& t = this->Sample.Mesh.Triangles[face];
@@ -142,7 +178,7 @@ Vec3 ChainRisk::Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size
   return turn;
 }
 
-bool ChainRisk::Of(const MethodChain& chain, GroupRisks& risks, Execution& execution) const
+bool ChainRisk::Of(const MethodChain& chain, GroupRisks& risks, Execution& execution)
 {
   TriangleMesh plus = this->Plus;
   TriangleMesh minus = this->Minus;
@@ -155,24 +191,43 @@ bool ChainRisk::Of(const MethodChain& chain, GroupRisks& risks, Execution& execu
   {
     return false;
   }
+  const Buffer<Vec3> before = NormalsOf(this->Plus, execution);
+  const Buffer<Vec3> after = NormalsOf(plus, execution);
   for (std::size_t g = 0; g < RiskGroups; ++g)
   {
     const Buffer<Index>& group = this->Groups[g];
-    const double sum = OrderedSum(execution, group.size(), 0.0,
+    const double removed = OrderedSum(execution, group.size(), 0.0,
       [&](std::size_t k)
       {
         const Index f = group[k];
         const double noise = this->Deviation * this->Deviation * this->Traces[f];
-        const double removed = 0.5 *
+        return 0.5 *
           (this->Turn(plus.Positions, this->Plus.Positions, f).squaredNorm() +
-            this->Turn(minus.Positions, this->Minus.Positions, f).squaredNorm());
-        const double kept = this->Turn(plus.Positions, minus.Positions, f)
-                              .dot(this->Turn(this->Plus.Positions, this->Minus.Positions, f)) /
-          (4.0 * Step * Step);
-        const double folded = plus.DoubleAreaVector(f).dot(this->Normals[f]) < 0.0 ? 1.0 : 0.0;
-        return (removed + 2.0 * kept) / noise - 1.0 + FoldCost * folded;
+            this->Turn(minus.Positions, this->Minus.Positions, f).squaredNorm()) /
+          noise;
       });
+    const double sum = removed +
+      OrderedSum(execution, group.size(), 0.0,
+        [&](std::size_t k)
+        {
+          const Index f = group[k];
+          const double noise = this->Deviation * this->Deviation * this->Traces[f];
+          const double kept = this->Turn(plus.Positions, minus.Positions, f)
+                                .dot(this->Turn(this->Plus.Positions, this->Minus.Positions, f)) /
+            (4.0 * Step * Step);
+          const double folded = plus.DoubleAreaVector(f).dot(this->Normals[f]) < 0.0 ? 1.0 : 0.0;
+          return 2.0 * kept / noise - 1.0 + FoldCost * folded;
+        });
     risks[g] = group.empty() ? 0.0 : sum / double(group.size());
+    if (g == 0)
+    {
+      this->Removed = group.empty() ? 0.0 : removed / double(group.size());
+    }
+    const double roughness = this->Roughness(before, g, execution);
+    if (g < FlatGroups && roughness > 0.0)
+    {
+      risks[g] += RoughnessCost * this->Roughness(after, g, execution) / roughness;
+    }
   }
   return true;
 }

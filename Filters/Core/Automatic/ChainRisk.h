@@ -60,23 +60,34 @@ public:
   /**
    * The estimated mean square error of the normals after the chain, over that of the input (which
    * is about 1), per group. Plus half the share of faces that look away from the pilot: folds are
-   * no small angles and J does not see them all. An empty chain is the input. Returns false if the
-   * execution asked to stop.
+   * no small angles and J does not see them all. Plus, in the flatter half of the groups, how rough
+   * the result is, the mean square difference of adjacent normals over that of the input: of noise
+   * with heavy tails, Stein's identity does not see the spikes that are left. An empty chain is the
+   * input. Returns false if the execution asked to stop.
    */
-  bool Of(const MethodChain& chain, GroupRisks& risks, Execution& execution) const;
+  bool Of(const MethodChain& chain, GroupRisks& risks, Execution& execution);
+
+  /**
+   * The mean square of what the last chain took away from the flattest group, over that of the
+   * noise that is assumed. If all chains take away more than was assumed, there is more noise.
+   */
+  double RemovedFromFlats() const { return this->Removed; }
 
 private:
   void Group(const Buffer<Vec3>& vertexNormals);
+  double Roughness(const Buffer<Vec3>& normals, std::size_t group, Execution& execution) const;
   Vec3 Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size_t face) const;
 
   const MeshSample& Sample;
   double Deviation = 0.0;
   double Folded = 0.0;
+  double Removed = 0.0;
   Buffer<Vec3> Normals;                  ///< of the pilot's faces
   Buffer<Vec3> VertexNormals;            ///< of the pilot
   Buffer<std::array<Vec3, 3>> Gradients; ///< of the hat functions of the corners
   Buffer<double> Traces;                 ///< tr(J_f^T J_f); 0: not counted
   std::vector<Buffer<Index>> Groups;     ///< faces that count, flat ones first
+  NeighborGraph Adjacent;                ///< faces across edges
   TriangleMesh Plus;
   TriangleMesh Minus;
 };
