@@ -62,7 +62,7 @@ void TestMeshes(int& failures)
   vtkNew<Messages> seen;
   seen->Watch(filter);
 
-  auto cube = NoisyBox(20, 0.25);
+  auto cube = NoisyBox(14, 0.25);
   vtkNew<vtkIntArray> numbers;
   numbers->SetName("Numbers");
   for (vtkIdType i = 0; i < cube->GetNumberOfCells(); ++i)
@@ -77,15 +77,15 @@ void TestMeshes(int& failures)
   CHECK(PointDistance(cube, before) == 0.0);
   CHECK(output->GetCellData()->GetArray("Numbers"));
   CHECK(output->GetNumberOfCells() == cube->GetNumberOfCells());
-  CHECK(DistanceFromCube(output, 20.0) < 0.35 * DistanceFromCube(cube, 20.0));
+  CHECK(DistanceFromCube(output, 14.0) < 0.35 * DistanceFromCube(cube, 14.0));
   // 0.25 / sqrt(3) along the normals, edges of 1 to 1.4.
   CHECK(filter->GetNoiseLevel() > 0.08 && filter->GetNoiseLevel() < 0.18);
   CHECK(filter->GetChosenMethods() != "None" && !filter->GetReason().empty());
   CHECK(Figure(output, "Mean Displacement") == filter->GetMeanDisplacement());
   CHECK(filter->GetMeanDisplacement() > 0.03);
-  // Eight edges of 20 each, at 90 degrees; the top is open.
-  CHECK(filter->GetNumberOfFeatureEdgesAfter() >= 150);
-  CHECK(filter->GetNumberOfFeatureEdgesAfter() <= 170);
+  // Eight edges of 14 each, at 90 degrees; the top is open.
+  CHECK(filter->GetNumberOfFeatureEdgesAfter() >= 104);
+  CHECK(filter->GetNumberOfFeatureEdgesAfter() <= 122);
   CHECK(std::isnan(Figure(output, "Volume Change")));
   auto* choice =
     vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("DenoisingChoice"));
@@ -105,7 +105,7 @@ void TestMeshes(int& failures)
 
   // A curved surface gets other methods, or those that were asked for.
   const std::string forCubes = filter->GetChosenMethods();
-  auto sphere = NoisySphere(60, 0.01);
+  auto sphere = NoisySphere(44, 0.01);
   output = Run(filter, sphere, seen);
   CHECK(Roughness(output) < 0.6 * Roughness(sphere));
   CHECK(std::abs(Figure(output, "Volume Change")) < 0.01);
@@ -120,10 +120,10 @@ void TestMeshes(int& failures)
   CHECK(PointDistance(Run(filter, cube, seen), cube) == 0.0);
   CHECK(filter->GetChosenMethods() == "None");
   filter->SetStrength(1.0);
-  auto clean = NoisySphere(60, 0.0);
+  auto clean = NoisySphere(44, 0.0);
   Run(filter, clean, seen);
   CHECK(filter->GetMeanDisplacement() < 0.02);
-  CHECK(PointDistance(Run(filter, NoisyBox(20, 0.0), seen), NoisyBox(20, 0.0)) < 0.02);
+  CHECK(PointDistance(Run(filter, NoisyBox(14, 0.0), seen), NoisyBox(14, 0.0)) < 0.02);
 
   // More strength takes more away.
   filter->SetStrength(0.5);
@@ -163,7 +163,7 @@ void TestClouds(int& failures)
   vtkNew<vtkDenoiseSurface> filter;
   vtkNew<Messages> seen;
   seen->Watch(filter);
-  auto sphere = SphereCloud(2000, 0.03);
+  auto sphere = SphereCloud(1200, 0.03);
   vtkPolyData* output = Run(filter, sphere, seen);
   CHECK(seen->Errors.empty() && seen->Warnings.empty());
   CHECK(Roughness(output) < 0.6 * Roughness(sphere));
@@ -173,7 +173,7 @@ void TestClouds(int& failures)
   CHECK(!filter->GetReason().empty() && filter->GetChosenMethods() != "None");
 
   // Clean clouds stay, and get normals.
-  auto clean = SphereCloud(2000, 0.0);
+  auto clean = SphereCloud(1200, 0.0);
   output = Run(filter, clean, seen);
   CHECK(filter->GetMeanDisplacement() < 0.02);
   double n[3];
@@ -233,7 +233,7 @@ void TestAbort(int& failures)
           }
         });
       filter->AddObserver(vtkCommand::ProgressEvent, stop);
-      vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(1500, 0.03) : NoisyBox(12, 0.2);
+      vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(800, 0.03) : NoisyBox(12, 0.2);
       filter->SetInputData(input);
       filter->Update();
       // The executive of VTK may empty the output.
@@ -247,7 +247,7 @@ void TestThreads(int& failures)
 {
   for (const bool cloud : { false, true })
   {
-    vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(3000, 0.03) : NoisySphere(50, 0.01);
+    vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(1200, 0.03) : NoisySphere(40, 0.01);
     vtkNew<vtkDenoiseSurface> one;
     vtkNew<vtkDenoiseSurface> many;
     one->SetNumberOfThreads(1);
