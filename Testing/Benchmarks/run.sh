@@ -2,27 +2,32 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# run.sh [-o meshes|points] [-f filter] [build folder [cmake argument...]]: builds and runs the
-# benchmarks on the Fandisk model that Debian ships with CGAL, and prints tables. The machine should
-# have nothing else to do.
+# run.sh [-o meshes|points] [-f filter] [-a model] [build folder [cmake argument...]]: builds and
+# runs the benchmarks on the Fandisk model that Debian ships with CGAL, and prints tables. The machine
+# should have nothing else to do.
+#
+# -a compares automatic denoising with the best of a sweep on an OFF file and runs nothing else: minutes
+# for each ten thousand triangles.
 #
 # -o runs those of meshes or of points only. A filter is a regular expression: -f '^Method/' runs all
 # methods for meshes and leaves the comparison with other programs out, -f '^Method/Guided' runs one of
 # them, -f '^Points/' runs those of points. Memory is measured without a filter only.
 
 set -eu -o pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-source Testing/packages.sh
 filter=
 only=
-while getopts f:o: option; do
+model=
+while getopts a:f:o: option; do
   case $option in
     f) filter=$OPTARG ;;
     o) only=$OPTARG ;;
+    a) model=$(realpath "$OPTARG") || exit 1 ;;
     *) exit 1 ;;
   esac
 done
 shift $((OPTIND - 1))
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source Testing/packages.sh
 build=${1:-build-benchmarks}
 [ $# -gt 0 ] && shift
 
@@ -40,6 +45,10 @@ grep -e '-- Benchmarks:' "$build/run.log" || true
 cmake --build "$build" >>"$build/run.log"
 
 programs="$build/Testing/Benchmarks"
+
+if [ -n "$model" ]; then
+  exec "$programs/SurfaceDenoisingAutomaticBenchmark" "$model"
+fi
 
 # measure <program> <file> <argument>...: runs what the filter lets through. Returns false if there is
 # nothing.
