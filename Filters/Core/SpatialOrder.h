@@ -33,7 +33,6 @@ struct SpatialOrder
 /// Faces along a Z-order curve through their centroids, vertices as faces use them, others last.
 SpatialOrder FindSpatialOrder(const TriangleMesh& mesh, Execution& execution);
 
-/// The mesh with new numbers.
 /**
  * The numbers of the finite points along a Z-order curve. Points in one cell of the curve follow
  * one another by their coordinates, coincident ones by their vectors (one per point, or none at
@@ -42,6 +41,7 @@ SpatialOrder FindSpatialOrder(const TriangleMesh& mesh, Execution& execution);
 Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vectors,
   Execution& execution);
 
+/// The mesh with new numbers.
 TriangleMesh Reorder(const TriangleMesh& mesh, const SpatialOrder& order);
 
 /// ordered[i] = values[order[i]].

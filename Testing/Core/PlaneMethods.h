@@ -10,8 +10,8 @@
 #ifndef PlaneMethods_h
 #define PlaneMethods_h
 
-#include "Points/PointDenoising.h"
 #include "NoisyClouds.h"
+#include "Points/PointDenoising.h"
 #include "TextbookPlanePoints.h"
 
 #include <functional>

@@ -4,8 +4,8 @@
 // How near the surface moving robust PCA, tensor regions and likelihoods bring noisy points, with
 // the settings of the table of methods. Bounds are half as much again as the mean of twelve clouds.
 
-#include "Points/PointMethods.h"
 #include "NoisyClouds.h"
+#include "Points/PointMethods.h"
 
 #include <gtest/gtest.h>
 

@@ -169,8 +169,8 @@ private:
     if (this->Points.Spacings.empty())
     {
       const int forNormals = this->NeedsFits() ? this->Settings.Normals.NumberOfNeighbors : 1;
-      count = std::max(
-        { count, SpacingNeighbors, static_cast<std::size_t>(std::max(1, forNormals)) });
+      count =
+        std::max({ count, SpacingNeighbors, static_cast<std::size_t>(std::max(1, forNormals)) });
     }
     if (count == 0)
     {
