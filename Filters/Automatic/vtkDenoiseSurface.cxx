@@ -144,12 +144,7 @@ bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
   const sd::AutomaticSettings settings(this->Strength,
     static_cast<sd::SurfaceType>(this->SurfaceType));
   sd::SMPExecution execution(this);
-  vtkDataArray* normals = input->GetPointData()->GetNormals();
-  if (!normals)
-  {
-    normals = input->GetPointData()->GetArray("Normals");
-    normals = normals && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
-  }
+  vtkDataArray* normals = sd::GivenNormals(input);
   sd::PointView view;
   std::string error;
   if (!sd::ReadPoints(input, normals, view, error, execution))

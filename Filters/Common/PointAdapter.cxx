@@ -152,6 +152,16 @@ bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::
   return true;
 }
 
+vtkDataArray* GivenNormals(vtkPolyData* data)
+{
+  if (vtkDataArray* active = data->GetPointData()->GetNormals())
+  {
+    return active;
+  }
+  vtkDataArray* named = data->GetPointData()->GetArray("Normals");
+  return named && named->GetNumberOfComponents() == 3 ? named : nullptr;
+}
+
 Buffer<Vec3> NormalsOfFaces(vtkPolyData* data, Execution& execution)
 {
   if (data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)

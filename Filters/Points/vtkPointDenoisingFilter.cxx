@@ -100,12 +100,7 @@ bool vtkPointDenoisingFilter::FindNormals(vtkInformationVector** inputVector,
     }
     return true;
   }
-  normals = pointData->GetNormals();
-  if (!normals)
-  {
-    vtkDataArray* candidate = pointData->GetArray("Normals");
-    normals = candidate && candidate->GetNumberOfComponents() == 3 ? candidate : nullptr;
-  }
+  normals = sd::GivenNormals(vtkPolyData::GetData(inputVector[0]));
   return true;
 }
 

@@ -143,7 +143,7 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, 
   const bool folded = risk.FoldedShare() > StronglyFolded;
   const double assumed =
     (folded ? CautionIfFolded : Caution(plan.Noise.Level)) * strength * plan.Noise.Deviation;
-  risk.Assume(assumed);
+  risk.Assume(assumed, start);
   std::vector<const CandidateChain*> candidates;
   for (const CandidateChain& chain : CandidateChains())
   {
@@ -165,7 +165,7 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, 
   const double excess = removed * strength * strength;
   if (excess > LargestExcess)
   {
-    risk.Assume(std::min(MostCorrection, std::sqrt(excess)) * assumed);
+    risk.Assume(std::min(MostCorrection, std::sqrt(excess)) * assumed, execution);
     ProgressShare second(execution, 0.5, 1.0);
     if (!FindRisks(candidates, risk, risks, removed, second))
     {

@@ -19,16 +19,10 @@ namespace
 constexpr double Step = 0.3;
 /// What a folded face costs, in mean square errors of the input.
 constexpr double FoldCost = 0.5;
-/// Groups whose faces should lie in line with their neighbours, and what it costs if they do not.
-constexpr std::size_t FlatGroups = RiskGroups / 2;
+/// What it costs if the faces of flat groups do not lie in line with their neighbours.
 constexpr double RoughnessCost = 1.0;
 /// Risks that differ by less are the same.
 constexpr double Softening = 0.003;
-
-}
-
-namespace
-{
 
 Buffer<Vec3> NormalsOf(const TriangleMesh& mesh, Execution& execution)
 {
@@ -131,7 +125,7 @@ void ChainRisk::Group(const Buffer<Vec3>& vertexNormals)
   }
 }
 
-void ChainRisk::Assume(double deviation)
+void ChainRisk::Assume(double deviation, Execution& execution)
 {
   this->Deviation = deviation;
   this->Plus = this->Sample.Mesh;
@@ -145,26 +139,33 @@ void ChainRisk::Assume(double deviation)
     this->Plus.Positions[v] += step;
     this->Minus.Positions[v] -= step;
   }
+  this->RoughnessBefore = this->RoughnessOf(this->Plus, execution);
 }
 
-/// Mean square difference between the normals of the faces of a group and those of their
+/// Mean square difference between the normals of the faces of the flat groups and those of their
 /// neighbours.
-double ChainRisk::Roughness(const Buffer<Vec3>& normals, std::size_t group,
+ChainRisk::FlatRoughness ChainRisk::RoughnessOf(const TriangleMesh& mesh,
   Execution& execution) const
 {
-  const Buffer<Index>& faces = this->Groups[group];
-  const double sum = OrderedSum(execution, faces.size(), 0.0,
-    [&](std::size_t k)
-    {
-      double squares = 0.0;
-      const Span<Index> row = this->Adjacent.Row(faces[k]);
-      for (const Index f : row)
+  const Buffer<Vec3> normals = NormalsOf(mesh, execution);
+  FlatRoughness roughness;
+  for (std::size_t g = 0; g < FlatGroups; ++g)
+  {
+    const Buffer<Index>& faces = this->Groups[g];
+    const double sum = OrderedSum(execution, faces.size(), 0.0,
+      [&](std::size_t k)
       {
-        squares += (normals[f] - normals[faces[k]]).squaredNorm();
-      }
-      return row.size() > 0 ? squares / double(row.size()) : 0.0;
-    });
-  return faces.empty() ? 0.0 : sum / double(faces.size());
+        double squares = 0.0;
+        const Span<Index> row = this->Adjacent.Row(faces[k]);
+        for (const Index f : row)
+        {
+          squares += (normals[f] - normals[faces[k]]).squaredNorm();
+        }
+        return row.size() > 0 ? squares / double(row.size()) : 0.0;
+      });
+    roughness[g] = faces.empty() ? 0.0 : sum / double(faces.size());
+  }
+  return roughness;
 }
 
 Vec3 ChainRisk::Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size_t face) const
@@ -191,8 +192,7 @@ bool ChainRisk::Of(const MethodChain& chain, GroupRisks& risks, Execution& execu
   {
     return false;
   }
-  const Buffer<Vec3> before = NormalsOf(this->Plus, execution);
-  const Buffer<Vec3> after = NormalsOf(plus, execution);
+  const FlatRoughness roughness = this->RoughnessOf(plus, execution);
   for (std::size_t g = 0; g < RiskGroups; ++g)
   {
     const Buffer<Index>& group = this->Groups[g];
@@ -223,10 +223,9 @@ bool ChainRisk::Of(const MethodChain& chain, GroupRisks& risks, Execution& execu
     {
       this->Removed = group.empty() ? 0.0 : removed / double(group.size());
     }
-    const double roughness = this->Roughness(before, g, execution);
-    if (g < FlatGroups && roughness > 0.0)
+    if (g<FlatGroups&& this->RoughnessBefore[g]> 0.0)
     {
-      risks[g] += RoughnessCost * this->Roughness(after, g, execution) / roughness;
+      risks[g] += RoughnessCost * roughness[g] / this->RoughnessBefore[g];
     }
   }
   return true;

@@ -55,7 +55,7 @@ public:
   double FoldedShare() const { return this->Folded; }
 
   /// Sets sigma, a length above 0. To be called before Of.
-  void Assume(double deviation);
+  void Assume(double deviation, Execution& execution);
 
   /**
    * The estimated mean square error of the normals after the chain, over that of the input (which
@@ -75,7 +75,11 @@ public:
 
 private:
   void Group(const Buffer<Vec3>& vertexNormals);
-  double Roughness(const Buffer<Vec3>& normals, std::size_t group, Execution& execution) const;
+  /// Groups whose faces should lie in line with their neighbours.
+  static constexpr std::size_t FlatGroups = RiskGroups / 2;
+  using FlatRoughness = std::array<double, FlatGroups>;
+
+  FlatRoughness RoughnessOf(const TriangleMesh& mesh, Execution& execution) const;
   Vec3 Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size_t face) const;
 
   const MeshSample& Sample;
@@ -89,6 +93,7 @@ private:
   std::vector<Buffer<Index>> Groups;     ///< faces that count, flat ones first
   NeighborGraph Adjacent;                ///< faces across edges
   TriangleMesh Plus;
+  FlatRoughness RoughnessBefore{}; ///< of Plus
   TriangleMesh Minus;
 };
 
