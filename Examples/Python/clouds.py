@@ -61,7 +61,7 @@ def measure(cloud, noisy, truth, **settings):
 
 def upright(cloud):
     """The cloud with its normals or, if it has none, with those of fits; nothing moves."""
-    return RobustPointNormalFilter(Input=cloud, NumberOfOuterIterations=0,
+    return RobustPointNormalFilter(Input=cloud, NumberOfOuterIterations=-1,
                                    NormalOrientation="Keep")
 
 

@@ -18,7 +18,7 @@ Method = namedtuple("Method", "proxy caption paper settings then", defaults=((),
 FAMILIES = ("default", "cad", "organic")
 
 # Tukey's norm weighs the normals as max(0, n . n' - T)^2 does: the scale is sqrt(2 (1 - T)).
-COSINE = {"Norm": "Tukey", "ScaleSource": "Given", "RangeScale": 1.0, "SpatialScale": 0.0,
+COSINE = {"Norm": "Tukey", "ScaleSource": "Given", "RangeScale": 1.0, "SpatialScale": -1.0,
           "FaceWeighting": "Uniform", "NumberOfNormalIterations": 20,
           "NumberOfVertexIterations": 50}
 

@@ -19,7 +19,7 @@ SCALE = 0.5
 L1_SCALE = 0.05  # where 1 / x is held
 STEP = 0.04  # no weight times this is above 1
 MEASURED = {"Operator": "Diffusion", "StepLength": STEP, "IncludeOwn": 0,
-            "Neighborhood": "Edge Adjacent", "FaceWeighting": "Uniform", "SpatialScale": 0.0,
+            "Neighborhood": "Edge Adjacent", "FaceWeighting": "Uniform", "SpatialScale": -1.0,
             "ScaleSource": "Given", "NumberOfNormalIterations": 1, "UpdateVertices": 0,
             "PreventFlips": 0}
 

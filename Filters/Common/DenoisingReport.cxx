@@ -19,7 +19,7 @@ void DenoisingReport::WriteTo(vtkDataSet* output) const
   array->SetNumberOfTuples(1);
   for (std::size_t i = 0; i < this->Figures.size(); ++i)
   {
-    array->SetComponentName(static_cast<vtkIdType>(i), this->Figures[i].first);
+    array->SetComponentName(static_cast<vtkIdType>(i), this->Figures[i].first.c_str());
     array->SetValue(static_cast<vtkIdType>(i), this->Figures[i].second);
   }
   output->GetFieldData()->AddArray(array);

@@ -9,6 +9,7 @@
 #ifndef SurfaceDenoising_DenoisingReport_h
 #define SurfaceDenoising_DenoisingReport_h
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -20,9 +21,8 @@ namespace SurfaceDenoising
 class DenoisingReport
 {
 public:
-  /// Names are literals.
   template <typename Number>
-  void Add(const char* name, Number value)
+  void Add(const std::string& name, Number value)
   {
     this->Figures.emplace_back(name, static_cast<double>(value));
   }
@@ -31,7 +31,7 @@ public:
   void WriteTo(vtkDataSet* output) const;
 
 private:
-  std::vector<std::pair<const char*, double>> Figures;
+  std::vector<std::pair<std::string, double>> Figures;
 };
 
 }

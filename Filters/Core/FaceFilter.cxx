@@ -247,7 +247,8 @@ bool FaceFilter::Iterate(const NormalFilter& filter, const Buffer<Vec3>& normals
   return true;
 }
 
-bool FaceFilter::Run(Buffer<Vec3>& normals, Execution& execution, double first, double last)
+bool FaceFilter::Run(Buffer<Vec3>& normals, const Verdict& enough, Execution& execution,
+  double first, double last)
 {
   const FaceFilterSettings& settings = this->Settings;
   NormalFilterSettings weights;
@@ -282,6 +283,11 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, Execution& execution, double first, 
       return false;
     }
     normals.swap(filtered);
+    ++this->Report.NormalIterations;
+    if (enough && enough(normals))
+    {
+      break;
+    }
   }
   return true;
 }

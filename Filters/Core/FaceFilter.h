@@ -103,6 +103,7 @@ struct FaceFilterReport
   bool NoNoiseFound = false; ///< the scale from the data is zero: normals were left as they are
   std::size_t UnfilteredFaces = 0;  ///< kept their normal in the last iteration
   std::size_t SolverIterations = 0; ///< of GlobalSolve, in all iterations
+  int NormalIterations = 0;         ///< done, in all outer iterations
 };
 
 class FaceFilter
@@ -119,9 +120,15 @@ public:
    */
   void Renew(Buffer<Vec3>& normals, Execution& execution);
 
-  /// All normal iterations. Returns false if the execution asked to stop; progress is reported from
-  /// first to last.
-  bool Run(Buffer<Vec3>& normals, Execution& execution, double first, double last);
+  /// Whether normals are filtered enough.
+  using Verdict = std::function<bool(const Buffer<Vec3>& normals)>;
+
+  /**
+   * All normal iterations, or until the verdict, if there is one, is that it is enough. Returns
+   * false if the execution asked to stop; progress is reported from first to last.
+   */
+  bool Run(Buffer<Vec3>& normals, const Verdict& enough, Execution& execution, double first,
+    double last);
 
 private:
   double ScaleUnit(Execution& execution) const;

@@ -5,11 +5,25 @@
 
 #include "Stopwatch.h"
 
+#include <cmath>
+
 namespace SurfaceDenoising
 {
 
 namespace
 {
+
+/// Root mean square angle between normals if their differences are those of 2D Gaussian vectors:
+/// sqrt(2) per axis, told from the median. Radians.
+double RobustAngle(const Buffer<Vec3>& a, const Buffer<Vec3>& b)
+{
+  Buffer<double> angles(a.size());
+  for (std::size_t f = 0; f < a.size(); ++f)
+  {
+    angles[f] = 2.0 * std::asin(std::min(1.0, 0.5 * (a[f] - b[f]).norm()));
+  }
+  return std::sqrt(2.0) * RobustScale(angles, ScaleEstimator::Rayleigh);
+}
 
 /// The stages in turn. Returns false if the execution asked to stop.
 bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisingSettings& settings,
@@ -23,16 +37,27 @@ bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisin
   vertexSettings.MaximumDisplacement *= edgeLength;
   VertexUpdate update(mesh, prepared.Stars(), edges.BoundaryVertex, edgeLength, vertexSettings);
 
+  Buffer<Vec3> start;
+  bool enough = false;
+  const FaceFilter::Verdict verdict = [&](const Buffer<Vec3>& now)
+  {
+    enough = settings.Residual > 0.0 && RobustAngle(now, start) >= settings.Residual;
+    return enough;
+  };
   const double share = 0.97 / std::max(1, settings.OuterIterations);
   // A vertex step costs about a quarter of a normal step.
   const double normalShare = share * 4.0 * settings.NormalIterations /
     std::max(1.0, 4.0 * settings.NormalIterations + settings.VertexIterations);
-  for (int outer = 0; outer < settings.OuterIterations; ++outer)
+  for (int outer = 0; outer < settings.OuterIterations && !enough; ++outer)
   {
     const double first = 0.03 + outer * share;
     {
       const Stopwatch stopwatch(report.SetupSeconds);
       filter.Renew(normals, execution);
+    }
+    if (outer == 0 && settings.Residual > 0.0)
+    {
+      start = normals;
     }
     if (!execution.Proceed(first))
     {
@@ -45,7 +70,7 @@ bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisin
     if (settings.NormalIterations > 0)
     {
       const Stopwatch stopwatch(report.NormalSeconds);
-      if (!filter.Run(normals, execution, first, first + normalShare))
+      if (!filter.Run(normals, verdict, execution, first, first + normalShare))
       {
         return false;
       }
@@ -59,7 +84,8 @@ bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisin
         return false;
       }
     }
-    if (settings.VertexIterations > 0 && outer + 1 < settings.OuterIterations)
+    ++report.OuterIterations;
+    if (settings.VertexIterations > 0 && outer + 1 < settings.OuterIterations && !enough)
     {
       normals.clear(); // the next iteration starts from those of the faces, which have moved
     }
@@ -69,6 +95,7 @@ bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisin
     filter.Renew(normals, execution);
   }
   report.GuardedVertices = update.NumberOfGuardedVertices();
+  report.VertexIterations = update.NumberOfSteps();
   return true;
 }
 

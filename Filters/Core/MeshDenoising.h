@@ -27,6 +27,12 @@ struct MeshDenoisingSettings : FaceFilterSettings
   int OuterIterations = 1;
   int VertexIterations = 10;     ///< per outer iteration; 0 leaves the vertices alone
   VertexUpdateSettings Vertices; ///< MaximumDisplacement in l
+  /**
+   * Iterations of both stages end once the normals are that far from those at the start: root mean
+   * square angle in radians, told from the median, so that edges that get sharper do not count. 0:
+   * never.
+   */
+  double Residual = 0.0;
 };
 
 /// What happened.
@@ -35,6 +41,8 @@ struct MeshDenoisingReport
   , FaceFilterReport
 {
   std::size_t GuardedVertices = 0; ///< displacements shortened to prevent flips, in all iterations
+  int OuterIterations = 0;         ///< done
+  int VertexIterations = 0;        ///< done, in all outer iterations
   double SetupSeconds = 0.0;
   double NormalSeconds = 0.0;
   double VertexSeconds = 0.0;

@@ -30,6 +30,7 @@ bool VertexUpdate::Run(Buffer<Vec3>& positions, const Buffer<Vec3>& targets, int
     this->Start = positions;
   }
   Buffer<Vec3> moved(positions.size());
+  double firstSquares = 0.0;
   for (int step = 0; step < count; ++step)
   {
     if (!execution.Proceed(first + (last - first) * step / count))
@@ -39,6 +40,21 @@ bool VertexUpdate::Run(Buffer<Vec3>& positions, const Buffer<Vec3>& targets, int
     this->Step(positions, targets, moved, execution);
     positions.swap(moved);
     this->Relaxation *= 0.7;
+    ++this->Steps;
+    if (this->Settings.Rest > 0.0)
+    {
+      const double squares = OrderedSum(execution, positions.size(), 0.0,
+        [&](std::size_t v)
+        {
+          const double square = (positions[v] - moved[v]).squaredNorm();
+          return square > 0.0 ? square : 0.0; // vertices without faces may be anything
+        });
+      firstSquares = step == 0 ? squares : firstSquares;
+      if (squares <= this->Settings.Rest * this->Settings.Rest * firstSquares)
+      {
+        break;
+      }
+    }
   }
   if (pull)
   {

@@ -58,6 +58,9 @@ struct VertexUpdateSettings
   double Relaxation = 0.2; ///< lambda of EdgeWeighted in its first step, in [0, 0.5]
   /// After the steps of a run, the part of its way along the normal that a vertex goes back.
   double InputPull = 0.0;
+  /// Stop once the root mean square of a step is below this part of that of the first one; 0:
+  /// never.
+  double Rest = 0.0;
 };
 
 class VertexUpdate
@@ -76,6 +79,9 @@ public:
 
   /// Displacements that were shortened because a face would have turned over, in all steps.
   std::size_t NumberOfGuardedVertices() const { return this->Guarded; }
+
+  /// Steps taken, in all runs.
+  int NumberOfSteps() const { return this->Steps; }
 
 private:
   void Step(const Buffer<Vec3>& positions, const Buffer<Vec3>& targets, Buffer<Vec3>& moved,
@@ -98,6 +104,7 @@ private:
   double Scale;
   VertexUpdateSettings Settings;
   std::size_t Guarded = 0;
+  int Steps = 0;
   double Relaxation; ///< lambda of the next step
 
   Buffer<Vec3> Start;        ///< first positions, if anything asks for them

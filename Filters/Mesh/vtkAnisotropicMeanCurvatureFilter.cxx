@@ -3,8 +3,9 @@
 
 #include "vtkAnisotropicMeanCurvatureFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "OneStage/AnisotropicCurvatureFlow.h"
-#include "SurfaceWork.h"
+#include "PreparedMesh.h"
 
 #include "vtkObjectFactory.h"
 
@@ -15,21 +16,21 @@ vtkStandardNewMacro(vtkAnisotropicMeanCurvatureFilter);
 vtkAnisotropicMeanCurvatureFilter::vtkAnisotropicMeanCurvatureFilter() = default;
 vtkAnisotropicMeanCurvatureFilter::~vtkAnisotropicMeanCurvatureFilter() = default;
 
-vtkMeshDenoisingFilter::Outcome vtkAnisotropicMeanCurvatureFilter::Move(sd::PreparedMesh& prepared,
-  sd::SurfaceWork& work)
+vtkOneStageFilter::Method vtkAnisotropicMeanCurvatureFilter::Configure()
 {
-  if (!this->CheckPositive("TimeStep", this->TimeStep) ||
-    !this->CheckPositive("EdgeThreshold", this->EdgeThreshold))
+  if (!this->CheckScale("TimeStep", this->TimeStep) ||
+    !this->CheckScale("EdgeThreshold", this->EdgeThreshold))
   {
-    return FAILED;
+    return nullptr;
   }
-  sd::AnisotropicCurvatureFlowSettings settings;
-  settings.Steps = this->NumberOfIterations;
-  settings.TimeStep = this->TimeStep;
-  settings.EdgeThreshold = this->EdgeThreshold;
-  settings.PrescribeCurvature = this->PrescribeCurvature;
-  settings.FixBoundary = this->FixBoundary;
-  return sd::FlowByAnisotropicCurvature(prepared, settings, work.Exec) ? FINISHED : STOPPED;
+  const auto settings = std::make_shared<sd::AnisotropicCurvatureFlowSettings>();
+  this->Open->Take("NumberOfIterations", this->NumberOfIterations, settings->Steps);
+  this->Open->Take("TimeStep", this->TimeStep, settings->TimeStep);
+  this->Open->Take("EdgeThreshold", this->EdgeThreshold, settings->EdgeThreshold);
+  settings->PrescribeCurvature = this->PrescribeCurvature;
+  settings->FixBoundary = this->FixBoundary;
+  return [settings](sd::PreparedMesh& prepared, sd::Execution& execution)
+  { return sd::FlowByAnisotropicCurvature(prepared, *settings, execution); };
 }
 
 void vtkAnisotropicMeanCurvatureFilter::PrintSelf(ostream& os, vtkIndent indent)

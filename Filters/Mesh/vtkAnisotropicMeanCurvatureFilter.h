@@ -42,14 +42,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Number of steps. Default 10; 20 to 80 with PrescribeCurvature.
-  vtkSetClampMacro(NumberOfIterations, int, 0, VTK_INT_MAX);
+  /// Number of steps. Default 10; 20 to 80 with PrescribeCurvature. 0: from the data; -1:
+  /// none.
+  vtkSetClampMacro(NumberOfIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfIterations, int);
   ///@}
 
   ///@{
   /// The time dt of a step in squared mean edge lengths, as they are before the step. Default 0.1;
   /// more hardly makes it faster, because it is cut where the flow would become unstable.
+  /// 0: from the data.
   vtkSetClampMacro(TimeStep, double, 0.0, 1e6);
   vtkGetMacro(TimeStep, double);
   ///@}
@@ -59,7 +61,7 @@ public:
    * The curvature lambda above which an edge is a feature, in mean edge lengths, as they are before
    * the step. Default 0.5: 29 degrees on an edge of mean length. 0.3 keeps blunter edges and takes
    * twice the iterations; 1 is 60 degrees, for smooth objects. The larger, the closer to
-   * mean curvature flow.
+   * mean curvature flow. 0: from the data.
    */
   vtkSetClampMacro(EdgeThreshold, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(EdgeThreshold, double);
@@ -76,8 +78,7 @@ protected:
   vtkAnisotropicMeanCurvatureFilter();
   ~vtkAnisotropicMeanCurvatureFilter() override;
 
-  Outcome Move(SurfaceDenoising::PreparedMesh& prepared,
-    SurfaceDenoising::SurfaceWork& work) override;
+  Method Configure() override;
 
   int NumberOfIterations = 10;
   double TimeStep = 0.1;

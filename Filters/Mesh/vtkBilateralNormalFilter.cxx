@@ -3,6 +3,7 @@
 
 #include "vtkBilateralNormalFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Methods.h"
 
 #include "vtkObjectFactory.h"
@@ -16,7 +17,7 @@ vtkBilateralNormalFilter::vtkBilateralNormalFilter()
 {
   const sd::MeshDenoisingSettings& defaults = this->Defaults();
   this->RangeScale = this->RangeScaleOf(defaults.NormScale);
-  this->SpatialScale = defaults.SpatialScale;
+  this->SpatialScale = sd::OpenSettings::SpatialProperty(defaults.SpatialScale);
   this->Neighborhood = static_cast<int>(defaults.Neighborhood);
   this->Fidelity = defaults.Global.Fidelity;
   this->AreaEnergy = defaults.Global.AreaEnergy;
@@ -24,19 +25,24 @@ vtkBilateralNormalFilter::vtkBilateralNormalFilter()
 
 vtkBilateralNormalFilter::~vtkBilateralNormalFilter() = default;
 
+const sd::MeshDenoisingSettings& vtkBilateralNormalFilter::Defaults() const
+{
+  return this->Scheme == GLOBAL ? sd::SettingsOf(sd::Method::GlobalBilateralNormal)
+                                : this->Superclass::Defaults();
+}
+
 void vtkBilateralNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   if (this->Scheme == GLOBAL)
   {
-    static_cast<sd::FaceFilterSettings&>(settings) =
-      sd::SettingsOf(sd::Method::GlobalBilateralNormal);
-    settings.NormalIterations = this->NumberOfNormalIterations > 0 ? 1 : 0;
+    this->Open->Close("NumberOfNormalIterations");
+    settings.NormalIterations = this->NumberOfNormalIterations >= 0 ? 1 : 0;
     settings.Global.Fidelity = this->Fidelity;
     settings.Global.AreaEnergy = this->AreaEnergy;
   }
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
-  settings.SpatialScale = this->SpatialScale;
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
+  this->Open->TakeSpatial("SpatialScale", this->SpatialScale, settings.SpatialScale);
   settings.Neighborhood = static_cast<sd::FaceNeighborhood>(this->Neighborhood);
 }
 

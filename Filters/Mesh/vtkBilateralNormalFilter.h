@@ -47,7 +47,7 @@ public:
   ///@{
   /**
    * How normals are found, one of Schemes. Default LOCAL. GLOBAL solves once per outer iteration,
-   * however many normal iterations there are (0: not at all), and takes a few times as long.
+   * however many normal iterations there are (-1: not at all), and takes a few times as long.
    */
   vtkSetClampMacro(Scheme, int, LOCAL, GLOBAL);
   vtkGetMacro(Scheme, int);
@@ -59,17 +59,16 @@ public:
   /**
    * The range scale s_r in chord lengths of unit normals (0.35, the default, is 20 degrees; 0.52 is
    * 30; 1 is 60). From 0.2 for little noise to 0.6 for a lot on smooth objects; above 0.45 sharp
-   * edges get rounded. 0: from the data, the robust standard deviation (median absolute deviation)
-   * of the differences of neighbouring normals.
+   * edges get rounded. 0: from the data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);
   ///@}
 
   ///@{
-  /// The spatial scale s_c in mean distances of adjacent centroids. Default 1; 0: no spatial
-  /// weight.
-  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  /// The spatial scale s_c in mean distances of adjacent centroids. Default 1; 0: from the data;
+  /// -1: no spatial weight.
+  vtkSetClampMacro(SpatialScale, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 
@@ -104,6 +103,7 @@ protected:
   vtkBilateralNormalFilter();
   ~vtkBilateralNormalFilter() override;
 
+  const SurfaceDenoising::MeshDenoisingSettings& Defaults() const override;
   void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) override;
 
   int Scheme = LOCAL;

@@ -3,8 +3,9 @@
 
 #include "vtkBilateralVertexFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "OneStage/BilateralVertices.h"
-#include "SurfaceWork.h"
+#include "PreparedMesh.h"
 
 #include "vtkObjectFactory.h"
 
@@ -15,20 +16,20 @@ vtkStandardNewMacro(vtkBilateralVertexFilter);
 vtkBilateralVertexFilter::vtkBilateralVertexFilter() = default;
 vtkBilateralVertexFilter::~vtkBilateralVertexFilter() = default;
 
-vtkMeshDenoisingFilter::Outcome vtkBilateralVertexFilter::Move(sd::PreparedMesh& prepared,
-  sd::SurfaceWork& work)
+vtkOneStageFilter::Method vtkBilateralVertexFilter::Configure()
 {
-  if (!this->CheckPositive("SpatialScale", this->SpatialScale) ||
-    !this->CheckPositive("RangeScale", this->RangeScale))
+  if (!this->CheckScale("SpatialScale", this->SpatialScale) ||
+    !this->CheckScale("RangeScale", this->RangeScale))
   {
-    return FAILED;
+    return nullptr;
   }
-  sd::BilateralVerticesSettings settings;
-  settings.Iterations = this->NumberOfIterations;
-  settings.SpatialScale = this->SpatialScale;
-  settings.RangeScale = this->RangeScale;
-  settings.FixBoundary = this->FixBoundary;
-  return sd::FilterVerticesBilaterally(prepared, settings, work.Exec) ? FINISHED : STOPPED;
+  const auto settings = std::make_shared<sd::BilateralVerticesSettings>();
+  this->Open->Take("NumberOfIterations", this->NumberOfIterations, settings->Iterations);
+  this->Open->Take("SpatialScale", this->SpatialScale, settings->SpatialScale, 1.0, 0.0, 0.0, 3.0);
+  this->Open->Take("RangeScale", this->RangeScale, settings->RangeScale);
+  settings->FixBoundary = this->FixBoundary;
+  return [settings](sd::PreparedMesh& prepared, sd::Execution& execution)
+  { return sd::FilterVerticesBilaterally(prepared, *settings, execution); };
 }
 
 void vtkBilateralVertexFilter::PrintSelf(ostream& os, vtkIndent indent)

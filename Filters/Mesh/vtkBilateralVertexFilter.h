@@ -38,15 +38,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Number of iterations. Default 5; 3 to 10.
-  vtkSetClampMacro(NumberOfIterations, int, 0, VTK_INT_MAX);
+  /// Number of iterations. Default 5; 3 to 10. 0: from the data; -1: none.
+  vtkSetClampMacro(NumberOfIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfIterations, int);
   ///@}
 
   ///@{
   /**
    * The spatial scale s_c in lengths of the shortest edge at the point. Default 1; 2 for much
-   * noise. At most 10: time grows with the square.
+   * noise. At most 10: time grows with the square. 0: from the data.
    */
   vtkSetClampMacro(SpatialScale, double, 0.0, 10.0);
   vtkGetMacro(SpatialScale, double);
@@ -54,7 +54,7 @@ public:
 
   ///@{
   /// The range scale s_s in standard deviations of the heights around the point. Default 1; 2
-  /// smooths faster and rounds edges more.
+  /// smooths faster and rounds edges more. 0: from the data.
   vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RangeScale, double);
   ///@}
@@ -63,8 +63,7 @@ protected:
   vtkBilateralVertexFilter();
   ~vtkBilateralVertexFilter() override;
 
-  Outcome Move(SurfaceDenoising::PreparedMesh& prepared,
-    SurfaceDenoising::SurfaceWork& work) override;
+  Method Configure() override;
 
   int NumberOfIterations = 5;
   double SpatialScale = 1.0;

@@ -26,7 +26,7 @@ double vtkCurvatureNormalDiffusionFilter::RangeUnit() const { return std::sqrt(0
 void vtkCurvatureNormalDiffusionFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
   settings.StepLength = this->StepLength;
 }
 

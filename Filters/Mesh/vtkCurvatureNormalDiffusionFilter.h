@@ -38,8 +38,7 @@ public:
   ///@{
   /**
    * The gradient m: a chord length of unit normals per mean distance of adjacent centroids. Default
-   * 0.5; from 0.3 to 0.8. Too small, it stalls. 0: from the data, the robust standard deviation
-   * (median absolute deviation) of the differences of neighbouring normals.
+   * 0.5; from 0.3 to 0.8. Too small, it stalls. 0: from the data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RangeScale, double);

@@ -3,10 +3,14 @@
 
 #include "vtkFaceNormalFilter.h"
 
+#include "Automatic/AutomaticMesh.h"
+#include "Automatic/MeshTuning.h"
 #include "Methods.h"
+#include "SurfaceWork.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
 
 #include <cmath>
 
@@ -31,14 +35,21 @@ const sd::MeshDenoisingSettings& vtkFaceNormalFilter::Defaults() const
 
 double vtkFaceNormalFilter::RangeUnit() const { return 1.0; }
 
-double vtkFaceNormalFilter::NormScaleOf(double rangeScale) const
+void vtkFaceNormalFilter::TakeRangeScale(double rangeScale, double& normScale)
 {
-  return rangeScale * this->RangeUnit();
+  this->Open->Take("RangeScale", rangeScale, normScale, this->RangeUnit());
 }
 
 double vtkFaceNormalFilter::RangeScaleOf(double normScale) const
 {
   return std::round(normScale / this->RangeUnit() * 1e9) / 1e9;
+}
+
+void vtkFaceNormalFilter::TakeRadius(double property, double& radius)
+{
+  // Larger ones take minutes.
+  constexpr double most = 6.0;
+  this->Open->Take("Radius", property, radius, 1.0, 0.0, 0.0, most);
 }
 
 void vtkFaceNormalFilter::TakeSchedule(const sd::MeshDenoisingSettings& settings)
@@ -51,14 +62,36 @@ void vtkFaceNormalFilter::TakeSchedule(const sd::MeshDenoisingSettings& settings
   this->MaximumDisplacement = settings.Vertices.MaximumDisplacement;
 }
 
+vtkMeshDenoisingFilter::Outcome vtkFaceNormalFilter::Denoise(sd::SurfaceWork& work)
+{
+  this->Residual = 0.0;
+  if (this->StopAtNoise)
+  {
+    sd::SurfaceNoise noise;
+    if (!sd::MeasureNoise(work.View.Mesh, noise, work.Exec))
+    {
+      return STOPPED;
+    }
+    this->Residual = sd::IsNoisy(noise) ? vtkMath::RadiansFromDegrees(noise.NormalAngle) : -1.0;
+    work.Report.Add("Noise Of Normals", noise.NormalAngle);
+  }
+  return this->Superclass::Denoise(work);
+}
+
 void vtkFaceNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   static_cast<sd::FaceFilterSettings&>(settings) = this->Defaults();
-  settings.OuterIterations = this->NumberOfOuterIterations;
-  settings.NormalIterations = this->NumberOfNormalIterations;
-  if (!this->UpdateVertices)
+  settings.Residual = std::max(0.0, this->Residual);
+  settings.OuterIterations = this->Defaults().OuterIterations;
+  this->Open->Take("NumberOfOuterIterations",
+    this->Residual < 0.0 ? -1 : this->NumberOfOuterIterations, settings.OuterIterations);
+  this->Open->Take("NumberOfNormalIterations", this->NumberOfNormalIterations,
+    settings.NormalIterations);
+  settings.VertexIterations = this->UpdateVertices ? this->Defaults().VertexIterations : 0;
+  if (this->UpdateVertices)
   {
-    settings.VertexIterations = 0;
+    this->Open->Take("NumberOfVertexIterations", this->NumberOfVertexIterations,
+      settings.VertexIterations);
   }
 }
 
@@ -85,6 +118,7 @@ void vtkFaceNormalFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfOuterIterations: " << this->NumberOfOuterIterations << "\n";
   os << indent << "NumberOfNormalIterations: " << this->NumberOfNormalIterations << "\n";
+  os << indent << "StopAtNoise: " << this->StopAtNoise << "\n";
   os << indent << "UpdateVertices: " << this->UpdateVertices << "\n";
   os << indent << "UsedRangeScale: " << this->UsedRangeScale << "\n";
   os << indent << "NumberOfUnfilteredFaces: " << this->NumberOfUnfilteredFaces << "\n";

@@ -61,19 +61,32 @@ public:
   /**
    * How often the stages take turns: every outer iteration looks at the surface anew, filters the
    * normals, and moves the points. The default is that of the paper of a method: 1 is the schedule
-   * "normals first". More remove more noise; 0 does nothing.
+   * "normals first". More remove more noise. 0: from the data; -1: none, nothing is done.
    */
-  vtkSetClampMacro(NumberOfOuterIterations, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfOuterIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfOuterIterations, int);
   ///@}
 
   ///@{
   /**
    * Number of normal iterations per outer iteration. The default is that of the paper of a method,
-   * 20 for schedules "normals first": more noise needs more, 0 filters nothing.
+   * 20 for schedules "normals first": more noise needs more. 0: from the data; -1: none, normals
+   * stay.
    */
-  vtkSetClampMacro(NumberOfNormalIterations, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfNormalIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfNormalIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * End the iterations of both stages as soon as the normals are as far from those of the input as
+   * the noise that the surface has turned them (root mean square angle, told from medians): the
+   * numbers of iterations are then the most there may be. A surface without noise passes through.
+   * Default off.
+   */
+  vtkSetMacro(StopAtNoise, bool);
+  vtkGetMacro(StopAtNoise, bool);
+  vtkBooleanMacro(StopAtNoise, bool);
   ///@}
 
   ///@{
@@ -99,27 +112,32 @@ protected:
   explicit vtkFaceNormalFilter(SurfaceDenoising::Method method);
   ~vtkFaceNormalFilter() override;
 
+  Outcome Denoise(SurfaceDenoising::SurfaceWork& work) override;
   void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) override;
   vtkDataArray* FindStartNormals(vtkInformationVector** inputVector, bool& needed) override;
   void TakeReport(const SurfaceDenoising::MeshDenoisingReport& report) override;
 
   /// The settings of the method.
-  const SurfaceDenoising::MeshDenoisingSettings& Defaults() const;
+  virtual const SurfaceDenoising::MeshDenoisingSettings& Defaults() const;
 
   /// What a range scale of the class is multiplied by to become the scale of the norm.
   virtual double RangeUnit() const;
 
-  ///@{
-  /// From one to the other. A range scale is rounded to what people write.
-  double NormScaleOf(double rangeScale) const;
+  /// Rounded to what people write.
   double RangeScaleOf(double normScale) const;
-  ///@}
+
+  /// The scale of the norm for the property "RangeScale"; 0: from the data.
+  void TakeRangeScale(double rangeScale, double& normScale);
+
+  /// The radius of neighbourhoods for the property "Radius"; 0: from the data, at most 6.
+  void TakeRadius(double property, double& radius);
 
   /// Sets iterations, vertex scheme and limits to those of the settings.
   void TakeSchedule(const SurfaceDenoising::MeshDenoisingSettings& settings);
 
   int NumberOfOuterIterations;
   int NumberOfNormalIterations;
+  bool StopAtNoise = false;
   bool UpdateVertices = true;
   double UsedRangeScale = 0.0;
   vtkIdType NumberOfUnfilteredFaces = 0;
@@ -129,6 +147,8 @@ private:
   void operator=(const vtkFaceNormalFilter&) = delete;
 
   const SurfaceDenoising::Method Row;
+  double Residual =
+    0.0; ///< at which the iterations of this execution end, radians; 0: never, -1: at once
 };
 
 #endif

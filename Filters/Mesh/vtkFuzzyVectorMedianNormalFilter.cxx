@@ -25,7 +25,7 @@ double vtkFuzzyVectorMedianNormalFilter::RangeUnit() const { return std::sqrt(0.
 void vtkFuzzyVectorMedianNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
   settings.Weighting = this->AreaWeighting ? sd::SiteWeight::Area : sd::SiteWeight::Uniform;
 }
 

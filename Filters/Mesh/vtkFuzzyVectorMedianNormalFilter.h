@@ -34,9 +34,7 @@ public:
 
   ///@{
   /**
-   * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 0.6. 0: from the data,
-   * the robust standard deviation (median absolute deviation) of the differences of neighbouring
-   * normals.
+   * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 0.6. 0: from the data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);

@@ -24,7 +24,7 @@ vtkGeometricFidelityNormalFilter::~vtkGeometricFidelityNormalFilter() = default;
 void vtkGeometricFidelityNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
   settings.StepLength = this->StepLength;
   settings.Vertices.InputPull = this->FidelityWeight;
   if (this->CurvatureType == EDGE)

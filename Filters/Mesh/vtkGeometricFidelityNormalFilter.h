@@ -45,8 +45,7 @@ public:
   ///@{
   /**
    * The scale s: curvature times mean edge length. Default 0.1, for FACE 0.05 to 0.15, for EDGE 0.1
-   * to 0.3. 0: from the data, the robust standard deviation (median absolute deviation) of the
-   * curvatures over the square root of 2.
+   * to 0.3. 0: from the data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RangeScale, double);

@@ -3,6 +3,7 @@
 
 #include "vtkGuidedNormalFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Methods.h"
 
 #include "vtkObjectFactory.h"
@@ -16,7 +17,7 @@ vtkGuidedNormalFilter::vtkGuidedNormalFilter()
 {
   const sd::MeshDenoisingSettings& defaults = this->Defaults();
   this->RangeScale = this->RangeScaleOf(defaults.NormScale);
-  this->SpatialScale = defaults.SpatialScale;
+  this->SpatialScale = sd::OpenSettings::SpatialProperty(defaults.SpatialScale);
   this->Radius = defaults.Radius;
 }
 
@@ -25,9 +26,9 @@ vtkGuidedNormalFilter::~vtkGuidedNormalFilter() = default;
 void vtkGuidedNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
-  settings.SpatialScale = this->SpatialScale;
-  settings.Radius = this->Radius;
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
+  this->Open->TakeSpatial("SpatialScale", this->SpatialScale, settings.SpatialScale);
+  this->TakeRadius(this->Radius, settings.Radius);
 }
 
 void vtkGuidedNormalFilter::PrintSelf(ostream& os, vtkIndent indent)

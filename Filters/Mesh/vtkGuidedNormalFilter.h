@@ -37,24 +37,23 @@ public:
 
   ///@{
   /**
-   * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 0.6. 0: from the data,
-   * the robust standard deviation (median absolute deviation) of the differences of neighbouring
-   * normals.
+   * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 0.6. 0: from the data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);
   ///@}
 
   ///@{
-  /// Sigma s_d of the spatial Gaussian in mean distances of adjacent centroids. Default 1; 0: none.
-  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  /// Sigma s_d of the spatial Gaussian in mean distances of adjacent centroids. Default 1; 0: from
+  /// the data; -1: none.
+  vtkSetClampMacro(SpatialScale, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 
   ///@{
   /**
    * How far neighbours are, in mean distances of adjacent centroids of the input. Default 2, about
-   * 12 faces.
+   * 12 faces; 0: from the data.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);

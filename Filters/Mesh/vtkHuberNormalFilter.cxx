@@ -3,6 +3,7 @@
 
 #include "vtkHuberNormalFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Methods.h"
 
 #include "vtkObjectFactory.h"
@@ -16,7 +17,7 @@ vtkHuberNormalFilter::vtkHuberNormalFilter()
 {
   const sd::MeshDenoisingSettings& defaults = this->Defaults();
   this->RangeScale = this->RangeScaleOf(defaults.NormScale);
-  this->SpatialScale = defaults.SpatialScale;
+  this->SpatialScale = sd::OpenSettings::SpatialProperty(defaults.SpatialScale);
   this->DataSource = static_cast<int>(defaults.Data);
 }
 
@@ -25,8 +26,8 @@ vtkHuberNormalFilter::~vtkHuberNormalFilter() = default;
 void vtkHuberNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
-  settings.SpatialScale = this->SpatialScale;
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
+  this->Open->TakeSpatial("SpatialScale", this->SpatialScale, settings.SpatialScale);
   settings.Data = static_cast<sd::NormalData>(this->DataSource);
 }
 

@@ -33,16 +33,16 @@ public:
   ///@{
   /**
    * The scale s as a chord length of unit normals. Default 0.1; useful are 0.05 to 0.2. 0: from the
-   * data, the robust standard deviation (median absolute deviation) of the differences of
-   * neighbouring normals.
+   * data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);
   ///@}
 
   ///@{
-  /// Sigma of a spatial Gaussian f in mean distances of adjacent centroids; 0, the default: none.
-  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  /// Sigma of a spatial Gaussian f in mean distances of adjacent centroids; 0: from the data; -1,
+  /// the default: none.
+  vtkSetClampMacro(SpatialScale, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 

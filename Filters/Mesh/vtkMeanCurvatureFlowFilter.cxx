@@ -3,7 +3,9 @@
 
 #include "vtkMeanCurvatureFlowFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "OneStage/MeanCurvatureFlow.h"
+#include "PreparedMesh.h"
 #include "SurfaceWork.h"
 
 #include "vtkObjectFactory.h"
@@ -15,29 +17,34 @@ vtkStandardNewMacro(vtkMeanCurvatureFlowFilter);
 vtkMeanCurvatureFlowFilter::vtkMeanCurvatureFlowFilter() = default;
 vtkMeanCurvatureFlowFilter::~vtkMeanCurvatureFlowFilter() = default;
 
-vtkMeshDenoisingFilter::Outcome vtkMeanCurvatureFlowFilter::Move(sd::PreparedMesh& prepared,
-  sd::SurfaceWork& work)
+vtkOneStageFilter::Method vtkMeanCurvatureFlowFilter::Configure()
 {
-  if (!this->CheckPositive("TimeStep", this->TimeStep))
+  if (!this->CheckScale("TimeStep", this->TimeStep))
   {
-    return FAILED;
+    return nullptr;
   }
-  sd::MeanCurvatureFlowSettings settings;
-  settings.Steps = this->NumberOfIterations;
-  settings.TimeStep = this->TimeStep;
-  settings.RestoreVolume = this->RestoreVolume;
-  settings.FixBoundary = this->FixBoundary;
-  sd::MeanCurvatureFlowReport report;
-  if (!sd::FlowByMeanCurvature(prepared, settings, report, work.Exec))
+  const auto settings = std::make_shared<sd::MeanCurvatureFlowSettings>();
+  this->Open->Take("NumberOfIterations", this->NumberOfIterations, settings->Steps);
+  this->Open->Take("TimeStep", this->TimeStep, settings->TimeStep);
+  settings->RestoreVolume = this->RestoreVolume;
+  settings->FixBoundary = this->FixBoundary;
+  return [this, settings](sd::PreparedMesh& prepared, sd::Execution& execution)
   {
-    return STOPPED;
-  }
-  if (this->RestoreVolume && this->NumberOfIterations > 0 && !report.VolumeRestored)
+    sd::MeanCurvatureFlowReport report;
+    const bool finished = sd::FlowByMeanCurvature(prepared, *settings, report, execution);
+    this->SolverIterations = report.SolverIterations;
+    this->VolumeKept = !settings->RestoreVolume || settings->Steps < 1 || report.VolumeRestored;
+    return finished;
+  };
+}
+
+void vtkMeanCurvatureFlowFilter::Tell(sd::SurfaceWork& work)
+{
+  if (!this->VolumeKept)
   {
     vtkWarningMacro(<< "The surface is not closed or lost its volume; the volume is not restored.");
   }
-  work.Report.Add("Solver Iterations", report.SolverIterations);
-  return FINISHED;
+  work.Report.Add("Solver Iterations", this->SolverIterations);
 }
 
 void vtkMeanCurvatureFlowFilter::PrintSelf(ostream& os, vtkIndent indent)

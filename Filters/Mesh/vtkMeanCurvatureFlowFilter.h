@@ -38,15 +38,15 @@ public:
 
   ///@{
   /// Number of steps. Default 3. What counts is about the product with TimeStep; more and smaller
-  /// steps follow the flow more closely.
-  vtkSetClampMacro(NumberOfIterations, int, 0, VTK_INT_MAX);
+  /// steps follow the flow more closely. 0: from the data; -1: none.
+  vtkSetClampMacro(NumberOfIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfIterations, int);
   ///@}
 
   ///@{
   /**
    * The time dt of a step in squared mean edge lengths of the input. Default 0.2; features narrower
-   * than about sqrt(dt) edge lengths go.
+   * than about sqrt(dt) edge lengths go. 0: from the data.
    */
   vtkSetClampMacro(TimeStep, double, 0.0, 1e6);
   vtkGetMacro(TimeStep, double);
@@ -67,8 +67,8 @@ protected:
   vtkMeanCurvatureFlowFilter();
   ~vtkMeanCurvatureFlowFilter() override;
 
-  Outcome Move(SurfaceDenoising::PreparedMesh& prepared,
-    SurfaceDenoising::SurfaceWork& work) override;
+  Method Configure() override;
+  void Tell(SurfaceDenoising::SurfaceWork& work) override;
 
   int NumberOfIterations = 3;
   double TimeStep = 0.2;
@@ -77,6 +77,12 @@ protected:
 private:
   vtkMeanCurvatureFlowFilter(const vtkMeanCurvatureFlowFilter&) = delete;
   void operator=(const vtkMeanCurvatureFlowFilter&) = delete;
+
+  ///@{
+  /// Of the last run of the method.
+  int SolverIterations = 0;
+  bool VolumeKept = true;
+  ///@}
 };
 
 #endif

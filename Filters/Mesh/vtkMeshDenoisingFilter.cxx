@@ -3,6 +3,8 @@
 
 #include "vtkMeshDenoisingFilter.h"
 
+#include "Automatic/MeshTuning.h"
+#include "Automatic/ProgressShare.h"
 #include "PreparedMesh.h"
 #include "SMPExecution.h"
 #include "SurfaceWork.h"
@@ -14,7 +16,11 @@
 
 namespace sd = SurfaceDenoising;
 
-vtkMeshDenoisingFilter::vtkMeshDenoisingFilter() = default;
+vtkMeshDenoisingFilter::vtkMeshDenoisingFilter()
+  : Open(new sd::OpenSettings)
+{
+}
+
 vtkMeshDenoisingFilter::~vtkMeshDenoisingFilter() = default;
 
 int vtkMeshDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector** inputVector,
@@ -73,7 +79,40 @@ bool vtkMeshDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPoly
   return true;
 }
 
-void vtkMeshDenoisingFilter::ForgetReport() { this->TakeFacts(sd::MeshFacts(), nullptr); }
+double vtkMeshDenoisingFilter::GetChosenValue(const char* property) const
+{
+  return this->Open->Chosen(property ? property : "");
+}
+
+vtkMeshDenoisingFilter::Outcome vtkMeshDenoisingFilter::ChooseSettings(sd::SurfaceWork& work,
+  const sd::MeshOperation& move, bool& noisy)
+{
+  sd::MeshTuningReport report;
+  sd::ProgressShare share(work.Exec, 0.0, 0.5);
+  if (!sd::TuneForMesh(work.View.Mesh, *this->Open, move, report, share))
+  {
+    return STOPPED;
+  }
+  noisy = !report.NoNoiseFound;
+  if (!noisy)
+  {
+    vtkWarningMacro(<< "The surface has no noise to choose settings for; it passes through "
+                       "unchanged. Set them to filter it all the same.");
+  }
+  work.Report.Add("Noise In Edge Lengths", report.Noise.Level);
+  work.Report.Add("Seconds Of Choosing", report.Seconds);
+  for (const sd::OpenSetting& setting : this->Open->All())
+  {
+    work.Report.Add("Chosen " + setting.Name, setting.Chosen);
+  }
+  return FINISHED;
+}
+
+void vtkMeshDenoisingFilter::ForgetReport()
+{
+  this->Open->Clear();
+  this->TakeFacts(sd::MeshFacts(), nullptr);
+}
 
 void vtkMeshDenoisingFilter::TakeFacts(const sd::MeshFacts& facts, sd::SurfaceWork* work)
 {

@@ -20,6 +20,12 @@
  * move. A polygon with a NaN or infinite coordinate, or with a point that does not exist, is an
  * error, and the output is empty. A surface without polygons passes through with a warning.
  *
+ * Where a property says "0: from the data", the value is chosen in each execution: the one that
+ * promises the smallest error of the normals, by Stein's unbiased risk estimate, for the noise that
+ * the surface has. Several open properties are chosen together. Values are tried on the surface, or
+ * on parts of a large one, which takes from a second to a minute for methods with many iterations.
+ * A surface without noise passes through with a warning.
+ *
  * Results are the same on any number of threads. Lengths are relative to the model, in mean edge
  * lengths where not said otherwise, so that the same settings serve models of any size.
  */
@@ -30,10 +36,16 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSurfaceDenoisingMeshModule.h" // for export macro
 
+#include <functional> // for what a method does to a mesh
+#include <memory>     // for the settings that the data choose
+
 namespace SurfaceDenoising
 {
 struct MeshFacts;
 struct SurfaceWork;
+struct TriangleMesh;
+class Execution;
+class OpenSettings;
 }
 
 class VTKSURFACEDENOISINGMESH_EXPORT vtkMeshDenoisingFilter : public vtkPolyDataAlgorithm
@@ -67,6 +79,13 @@ public:
   vtkGetMacro(NumberOfTurnedFaces, vtkIdType);
   ///@}
 
+  /**
+   * The value that the last execution chose for a property that was 0, by its name, say
+   * "RangeScale"; NaN for the others and before. The same figures are components of the field array
+   * "DenoisingReport", for example "Chosen RangeScale".
+   */
+  double GetChosenValue(const char* property) const;
+
 protected:
   vtkMeshDenoisingFilter();
   ~vtkMeshDenoisingFilter() override;
@@ -89,6 +108,15 @@ protected:
 
   /// Keeps the facts and adds them to the figures of the work.
   void TakeFacts(const SurfaceDenoising::MeshFacts& facts, SurfaceDenoising::SurfaceWork* work);
+
+  /// The settings that the data choose in this execution. Subclasses take their properties there.
+  std::unique_ptr<SurfaceDenoising::OpenSettings> Open;
+
+  /// Chooses them for what move does to a mesh. Returns FINISHED or STOPPED; noisy is false if
+  /// there is no noise to choose for.
+  Outcome ChooseSettings(SurfaceDenoising::SurfaceWork& work,
+    const std::function<bool(SurfaceDenoising::TriangleMesh&, SurfaceDenoising::Execution&)>& move,
+    bool& noisy);
 
   int NumberOfThreads = 0;
 

@@ -3,8 +3,9 @@
 
 #include "vtkNonIterativeBilateralFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "OneStage/NonIterativeBilateral.h"
-#include "SurfaceWork.h"
+#include "PreparedMesh.h"
 
 #include "vtkObjectFactory.h"
 
@@ -15,19 +16,19 @@ vtkStandardNewMacro(vtkNonIterativeBilateralFilter);
 vtkNonIterativeBilateralFilter::vtkNonIterativeBilateralFilter() = default;
 vtkNonIterativeBilateralFilter::~vtkNonIterativeBilateralFilter() = default;
 
-vtkMeshDenoisingFilter::Outcome vtkNonIterativeBilateralFilter::Move(sd::PreparedMesh& prepared,
-  sd::SurfaceWork& work)
+vtkOneStageFilter::Method vtkNonIterativeBilateralFilter::Configure()
 {
-  if (!this->CheckPositive("SpatialScale", this->SpatialScale) ||
-    !this->CheckPositive("RangeScale", this->RangeScale))
+  if (!this->CheckScale("SpatialScale", this->SpatialScale) ||
+    !this->CheckScale("RangeScale", this->RangeScale))
   {
-    return FAILED;
+    return nullptr;
   }
-  sd::NonIterativeBilateralSettings settings;
-  settings.SpatialScale = this->SpatialScale;
-  settings.RangeScale = this->RangeScale;
-  settings.FixBoundary = this->FixBoundary;
-  return sd::FilterVerticesByPrediction(prepared, settings, work.Exec) ? FINISHED : STOPPED;
+  const auto settings = std::make_shared<sd::NonIterativeBilateralSettings>();
+  this->Open->Take("SpatialScale", this->SpatialScale, settings->SpatialScale, 1.0, 0.0, 0.0, 4.0);
+  this->Open->Take("RangeScale", this->RangeScale, settings->RangeScale);
+  settings->FixBoundary = this->FixBoundary;
+  return [settings](sd::PreparedMesh& prepared, sd::Execution& execution)
+  { return sd::FilterVerticesByPrediction(prepared, *settings, execution); };
 }
 
 void vtkNonIterativeBilateralFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -41,7 +41,7 @@ public:
   ///@{
   /**
    * The spatial scale s_f in mean edge lengths. Default 1; 1.5 to 3 for strong noise, up to 4. At
-   * most 10: time grows with the square.
+   * most 10: time grows with the square. 0: from the data.
    */
   vtkSetClampMacro(SpatialScale, double, 0.0, 10.0);
   vtkGetMacro(SpatialScale, double);
@@ -49,6 +49,7 @@ public:
 
   ///@{
   /// The range scale s_g in mean edge lengths. Default 1; from 0.1, which keeps small steps, to 2.
+  /// 0: from the data.
   vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RangeScale, double);
   ///@}
@@ -57,8 +58,7 @@ protected:
   vtkNonIterativeBilateralFilter();
   ~vtkNonIterativeBilateralFilter() override;
 
-  Outcome Move(SurfaceDenoising::PreparedMesh& prepared,
-    SurfaceDenoising::SurfaceWork& work) override;
+  Method Configure() override;
 
   double SpatialScale = 1.0;
   double RangeScale = 1.0;

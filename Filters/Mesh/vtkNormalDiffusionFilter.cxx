@@ -31,7 +31,7 @@ double vtkNormalDiffusionFilter::RangeUnit() const
 void vtkNormalDiffusionFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
   settings.Neighborhood = static_cast<sd::FaceNeighborhood>(this->Neighborhood);
   settings.IncludeOwn = this->IncludeOwn;
 }

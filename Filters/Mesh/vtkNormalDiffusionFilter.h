@@ -37,8 +37,7 @@ public:
   ///@{
   /**
    * The scale s as the angle in degrees between two faces whose centroids are at the mean distance
-   * of adjacent ones. Default 35; from 20 for little noise to 60. 0: from the data, the robust
-   * standard deviation (median absolute deviation) of the differences of neighbouring normals.
+   * of adjacent ones. Default 35; from 20 for little noise to 60. 0: from the data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RangeScale, double);

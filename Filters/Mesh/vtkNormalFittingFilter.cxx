@@ -3,6 +3,8 @@
 
 #include "vtkNormalFittingFilter.h"
 
+#include "Automatic/OpenSettings.h"
+#include "Automatic/ProgressShare.h"
 #include "MeshDenoising.h"
 #include "SurfaceWork.h"
 
@@ -36,13 +38,30 @@ vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork&
   }
 
   sd::MeshDenoisingSettings settings;
-  settings.VertexIterations = this->NumberOfVertexIterations;
   settings.Vertices.Scheme = static_cast<sd::VertexScheme>(this->VertexScheme);
   settings.Vertices.Relaxation = this->Relaxation;
   settings.Vertices.Boundary = static_cast<sd::BoundaryHandling>(this->BoundaryHandling);
   settings.Vertices.PreventFlips = this->PreventFlips;
   settings.Vertices.MaximumDisplacement = this->MaximumDisplacement;
   this->Configure(settings);
+  bool noisy = true;
+  if (this->Open->Any() &&
+    this->ChooseSettings(
+      work,
+      [&](sd::TriangleMesh& mesh, sd::Execution& execution)
+      {
+        // Normals are judged by the surface that fits them.
+        sd::MeshDenoisingSettings trial = settings;
+        trial.VertexIterations = std::max(trial.VertexIterations, 1);
+        sd::Buffer<sd::Vec3> normals;
+        sd::MeshDenoisingReport report;
+        return sd::DenoiseMesh(mesh, normals, trial, report, execution);
+      },
+      noisy) == STOPPED)
+  {
+    return STOPPED;
+  }
+  settings.OuterIterations = noisy ? settings.OuterIterations : 0;
   if (settings.Guidance == sd::NormalGuidance::Patch &&
     work.View.Mesh.NumberOfFaces() > sd::NoIndex / 3)
   {
@@ -52,21 +71,24 @@ vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork&
   }
 
   sd::MeshDenoisingReport report;
-  const bool finished =
-    sd::DenoiseMesh(work.View.Mesh, work.FaceNormals, settings, report, work.Exec);
+  sd::ProgressShare share(work.Exec, this->Open->Any() ? 0.5 : 0.0, 1.0);
+  const bool finished = sd::DenoiseMesh(work.View.Mesh, work.FaceNormals, settings, report, share);
   this->TakeFacts(report, &work);
   this->TakeReport(report);
   if (!finished)
   {
     return STOPPED;
   }
-  if (report.NoNoiseFound)
+  if (report.NoNoiseFound && noisy)
   {
     vtkWarningMacro(<< "The normals of the surface have no noise to take a scale from; the surface "
                        "passes through unchanged. Set the scale to filter it all the same.");
   }
   work.Report.Add("Mean Centroid Distance", report.MeanCentroidDistance);
   work.Report.Add("Range Scale", report.NormScale);
+  work.Report.Add("Outer Iterations", report.OuterIterations);
+  work.Report.Add("Normal Iterations", report.NormalIterations);
+  work.Report.Add("Vertex Iterations", report.VertexIterations);
   work.Report.Add("Unfiltered Faces", report.UnfilteredFaces);
   work.Report.Add("Solver Iterations", report.SolverIterations);
   work.Report.Add("Guarded Points", report.GuardedVertices);

@@ -63,10 +63,11 @@ public:
   ///@{
   /**
    * Number of steps that move the points, per outer iteration. Default 10, or what the paper of a
-   * method says; 20 to 50 follow the normals more closely when they changed a lot. 0 leaves the
-   * points alone.
+   * method says; 20 to 50 follow the normals more closely when they changed a lot. 0: from the data
+   * (vtkNormalVertexUpdate: until a step is below a hundredth of the first one); -1: none, the
+   * points stay.
    */
-  vtkSetClampMacro(NumberOfVertexIterations, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfVertexIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfVertexIterations, int);
   ///@}
 

@@ -20,6 +20,12 @@ vtkNormalVertexUpdate::~vtkNormalVertexUpdate() = default;
 void vtkNormalVertexUpdate::Configure(SurfaceDenoising::MeshDenoisingSettings& settings)
 {
   settings.NormalIterations = 0;
+  settings.VertexIterations = std::max(0, this->NumberOfVertexIterations);
+  if (this->NumberOfVertexIterations == 0)
+  {
+    settings.VertexIterations = 200;
+    settings.Vertices.Rest = 0.01;
+  }
 }
 
 vtkDataArray* vtkNormalVertexUpdate::FindStartNormals(vtkInformationVector** inputVector,

@@ -3,6 +3,7 @@
 
 #include "vtkNormalVotingTensorFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Methods.h"
 
 #include "vtkMath.h"
@@ -30,8 +31,8 @@ double vtkNormalVotingTensorFilter::RangeUnit() const { return vtkMath::RadiansF
 void vtkNormalVotingTensorFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
-  settings.Radius = this->Radius;
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
+  this->TakeRadius(this->Radius, settings.Radius);
   settings.Tensor = { this->TensorThreshold, this->Damping, this->RotateVotes };
 }
 

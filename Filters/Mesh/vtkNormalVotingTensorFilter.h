@@ -39,8 +39,7 @@ public:
 
   ///@{
   /**
-   * The angle s in degrees from which votes count a tenth. Default 46. 0: from the data, the robust
-   * standard deviation (median absolute deviation) of the differences of neighbouring normals.
+   * The angle s in degrees from which votes count a tenth. Default 46. 0: from the data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 180.0);
   vtkGetMacro(RangeScale, double);
@@ -49,7 +48,7 @@ public:
   ///@{
   /**
    * How far votes reach, in mean distances of adjacent centroids. Default 2, about 12 faces; 3 and
-   * 4 see more at the cost of time.
+   * 4 see more at the cost of time. 0: from the data.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);

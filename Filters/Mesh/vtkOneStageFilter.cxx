@@ -3,34 +3,65 @@
 
 #include "vtkOneStageFilter.h"
 
+#include "Automatic/OpenSettings.h"
+#include "Automatic/ProgressShare.h"
 #include "PreparedMesh.h"
 #include "SurfaceWork.h"
 
 #include <cmath>
 
+namespace sd = SurfaceDenoising;
+
 vtkOneStageFilter::vtkOneStageFilter() = default;
 vtkOneStageFilter::~vtkOneStageFilter() = default;
 
-vtkMeshDenoisingFilter::Outcome vtkOneStageFilter::Denoise(SurfaceDenoising::SurfaceWork& work)
+vtkMeshDenoisingFilter::Outcome vtkOneStageFilter::Denoise(sd::SurfaceWork& work)
 {
-  SurfaceDenoising::PreparedMesh prepared(work.View.Mesh);
+  const Method method = this->Configure();
+  if (!method)
+  {
+    return FAILED;
+  }
+  bool noisy = true;
+  if (this->Open->Any() &&
+    this->ChooseSettings(
+      work,
+      [&](sd::TriangleMesh& mesh, sd::Execution& execution)
+      {
+        sd::PreparedMesh trial(mesh);
+        const bool finished = trial.Prepare(execution) && method(trial, execution);
+        trial.Finish();
+        return finished;
+      },
+      noisy) == STOPPED)
+  {
+    return STOPPED;
+  }
+  sd::PreparedMesh prepared(work.View.Mesh);
   if (!prepared.Prepare(work.Exec))
   {
     return STOPPED;
   }
   this->TakeFacts(prepared.Facts(), &work);
-  const Outcome outcome = this->Move(prepared, work);
+  sd::ProgressShare share(work.Exec, this->Open->Any() ? 0.5 : 0.0, 1.0);
+  const bool finished = !noisy || method(prepared, share);
   prepared.Finish();
-  return outcome;
+  if (finished && noisy)
+  {
+    this->Tell(work);
+  }
+  return finished ? FINISHED : STOPPED;
 }
 
-bool vtkOneStageFilter::CheckPositive(const char* name, double value)
+void vtkOneStageFilter::Tell(sd::SurfaceWork&) {}
+
+bool vtkOneStageFilter::CheckScale(const char* name, double value)
 {
-  if (value > 0.0 && std::isfinite(value))
+  if (value >= 0.0 && std::isfinite(value))
   {
     return true;
   }
-  vtkErrorMacro(<< name << " must be positive, not " << value << ".");
+  vtkErrorMacro(<< name << " must not be negative or infinite; it is " << value << ".");
   return false;
 }
 

@@ -10,7 +10,8 @@
  * edges, some less than others: each class says what to expect.
  *
  * All points move at the same time, from the positions before the step. Faces without area have no
- * influence or a bounded one. A scale or step that is not a positive number is an error.
+ * influence or a bounded one. A scale or step that is negative or infinite is an
+ * error.
  */
 
 #ifndef vtkOneStageFilter_h
@@ -20,6 +21,7 @@
 
 namespace SurfaceDenoising
 {
+class Execution;
 class PreparedMesh;
 }
 
@@ -43,12 +45,18 @@ protected:
 
   Outcome Denoise(SurfaceDenoising::SurfaceWork& work) override;
 
-  /// Subclasses move the vertices of the prepared mesh.
-  virtual Outcome Move(SurfaceDenoising::PreparedMesh& prepared,
-    SurfaceDenoising::SurfaceWork& work) = 0;
+  /// What a subclass does to a prepared mesh. Returns false if the execution asked to stop.
+  using Method = std::function<bool(SurfaceDenoising::PreparedMesh&, SurfaceDenoising::Execution&)>;
 
-  /// True for positive numbers; else an error that names the setting.
-  bool CheckPositive(const char* name, double value);
+  /// The method with the settings of the subclass, which takes them from its properties; no
+  /// function after an error.
+  virtual Method Configure() = 0;
+
+  /// After the method was run on the input, subclasses that have something to tell do so.
+  virtual void Tell(SurfaceDenoising::SurfaceWork& work);
+
+  /// True for finite numbers that are not negative; else an error that names the setting.
+  bool CheckScale(const char* name, double value);
 
   bool FixBoundary = true;
 

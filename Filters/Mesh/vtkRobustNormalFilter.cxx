@@ -3,6 +3,7 @@
 
 #include "vtkRobustNormalFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Methods.h"
 
 #include "vtkMath.h"
@@ -101,7 +102,7 @@ void vtkRobustNormalFilter::CopyPreset(int preset)
   this->Guidance = static_cast<int>(settings.Guidance);
   this->ScaleSource = GIVEN;
   this->RangeScale = settings.NormScale / this->RangeUnit();
-  this->SpatialScale = settings.SpatialScale;
+  this->SpatialScale = sd::OpenSettings::SpatialProperty(settings.SpatialScale);
   this->LocalSpatialScale = settings.LocalSpatialScale;
   this->FaceWeighting = static_cast<int>(settings.Weighting);
   this->IncludeOwn = settings.IncludeOwn;
@@ -129,9 +130,9 @@ double vtkRobustNormalFilter::RangeUnit() const
 int vtkRobustNormalFilter::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  if (this->Preset == CUSTOM && this->ScaleSource == GIVEN && !(this->RangeScale > 0.0))
+  if (this->Preset == CUSTOM && this->ScaleSource == GIVEN && !(this->RangeScale >= 0.0))
   {
-    vtkErrorMacro(<< "The range scale must be positive; it is " << this->RangeScale << ".");
+    vtkErrorMacro(<< "The range scale must not be negative; it is " << this->RangeScale << ".");
     return 0;
   }
   if (this->Preset == CUSTOM && this->Argument == FACE_CURVATURE && this->Operator == AVERAGE &&
@@ -150,16 +151,22 @@ void vtkRobustNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
   if (const sd::MethodRow* row = FindPreset(this->Preset))
   {
     const sd::VertexUpdateSettings own = settings.Vertices;
+    const double residual = settings.Residual;
+    const bool none = settings.OuterIterations == 0;
     settings = row->Settings;
+    settings.Residual = residual;
+    settings.OuterIterations = this->StopAtNoise && none ? 0 : settings.OuterIterations;
     settings.Vertices.Boundary = own.Boundary;
     settings.Vertices.PreventFlips = own.PreventFlips;
     settings.VertexIterations = this->UpdateVertices ? settings.VertexIterations : 0;
+    this->Open->Clear(); // the numbers of a preset are its own
     return;
   }
   settings.Norm = static_cast<sd::NormId>(this->Norm);
   settings.Argument = static_cast<sd::NormalArgument>(this->Argument);
   settings.Unit = static_cast<sd::CurvatureUnit>(this->CurvatureUnit);
   settings.Guidance = static_cast<sd::NormalGuidance>(this->Guidance);
+  const double start = settings.NormScale;
   settings.NormScale = 0.0;
   switch (this->ScaleSource)
   {
@@ -173,14 +180,18 @@ void vtkRobustNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
       settings.Estimator = sd::ScaleEstimator::HalfNormal;
       break;
     default:
-      settings.NormScale = this->NormScaleOf(this->RangeScale);
+      settings.NormScale = start;
+      this->TakeRangeScale(this->RangeScale, settings.NormScale);
   }
-  settings.SpatialScale = this->SpatialScale;
+  this->Open->TakeSpatial("SpatialScale", this->SpatialScale, settings.SpatialScale);
   settings.LocalSpatialScale = this->LocalSpatialScale;
   settings.Weighting = static_cast<sd::SiteWeight>(this->FaceWeighting);
   settings.IncludeOwn = this->IncludeOwn;
   settings.Neighborhood = static_cast<sd::FaceNeighborhood>(this->Neighborhood);
-  settings.Radius = this->Radius;
+  if (this->Neighborhood >= RADIUS)
+  {
+    this->TakeRadius(this->Radius, settings.Radius);
+  }
   settings.RenewNeighborhood = this->RenewNeighborhood;
   settings.Data = static_cast<sd::NormalData>(this->DataSource);
   settings.Operator = static_cast<sd::NormalOperator>(this->Operator);

@@ -235,7 +235,8 @@ public:
 
   ///@{
   /**
-   * The scale of the norm in units of the argument, if it is GIVEN; must be positive. Default 0.35.
+   * The scale of the norm in units of the argument, if it is GIVEN. Default 0.35; 0: the one with
+   * the smallest expected error. Must not be negative.
    * For chords, norms with a cut-off want 0.7 to 1.1, a Gaussian 0.35, Lorentzian and
    * Centin-Signoroni 0.2, L1 0.05.
    */
@@ -244,9 +245,9 @@ public:
   ///@}
 
   ///@{
-  /// Sigma of the spatial Gaussian in mean distances of adjacent centroids; 0: no spatial kernel.
-  /// Default 1.
-  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  /// Sigma of the spatial Gaussian in mean distances of adjacent centroids. Default 1; 0: from the
+  /// data; -1: no spatial kernel.
+  vtkSetClampMacro(SpatialScale, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 

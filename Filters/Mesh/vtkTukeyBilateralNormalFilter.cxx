@@ -3,6 +3,7 @@
 
 #include "vtkTukeyBilateralNormalFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Methods.h"
 #include "ReleasedTukeyBilateral.h"
 #include "SurfaceWork.h"
@@ -18,7 +19,7 @@ vtkTukeyBilateralNormalFilter::vtkTukeyBilateralNormalFilter()
 {
   const sd::MeshDenoisingSettings& defaults = this->Defaults();
   this->RangeScale = this->RangeScaleOf(defaults.NormScale);
-  this->SpatialScale = defaults.SpatialScale;
+  this->SpatialScale = sd::OpenSettings::SpatialProperty(defaults.SpatialScale);
   this->Radius = defaults.Radius;
 }
 
@@ -27,9 +28,9 @@ vtkTukeyBilateralNormalFilter::~vtkTukeyBilateralNormalFilter() = default;
 void vtkTukeyBilateralNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
-  settings.NormScale = this->NormScaleOf(this->RangeScale);
-  settings.SpatialScale = this->SpatialScale;
-  settings.Radius = this->Radius;
+  this->TakeRangeScale(this->RangeScale, settings.NormScale);
+  this->Open->TakeSpatial("SpatialScale", this->SpatialScale, settings.SpatialScale);
+  this->TakeRadius(this->Radius, settings.Radius);
 }
 
 vtkMeshDenoisingFilter::Outcome vtkTukeyBilateralNormalFilter::Denoise(sd::SurfaceWork& work)
@@ -38,9 +39,16 @@ vtkMeshDenoisingFilter::Outcome vtkTukeyBilateralNormalFilter::Denoise(sd::Surfa
   {
     return this->Superclass::Denoise(work);
   }
+  if (!(this->RangeScale > 0.0) || this->NumberOfOuterIterations == 0)
+  {
+    vtkErrorMacro(<< "The released program takes nothing from the data: RangeScale and "
+                     "NumberOfOuterIterations must not be 0.");
+    return FAILED;
+  }
   sd::MeshFacts facts;
   const bool finished = sd::DenoiseAsReleased(work.View.Mesh, work.FaceNormals,
-    { this->RangeScale, this->Relaxation, this->NumberOfOuterIterations }, facts, work.Exec);
+    { this->RangeScale, this->Relaxation, std::max(0, this->NumberOfOuterIterations) }, facts,
+    work.Exec);
   this->TakeFacts(facts, &work);
   return finished ? FINISHED : STOPPED;
 }

@@ -44,21 +44,21 @@ public:
   ///@{
   /**
    * The scale s as a chord length of unit normals. Default 0.35; from 0.2 to 1, twice that of a
-   * Gaussian. 0: from the data, sqrt(5) times the robust standard deviation (median absolute
-   * deviation) of the differences of neighbouring normals.
+   * Gaussian. 0: from the data.
    */
   vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);
   ///@}
 
   ///@{
-  /// Sigma of the spatial Gaussian in d_i. Default 1; 0: none.
-  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  /// Sigma of the spatial Gaussian in d_i. Default 1; 0: from the data; -1: none.
+  vtkSetClampMacro(SpatialScale, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 
   ///@{
-  /// How far neighbours are, in mean distances of adjacent centroids. Default 2, about 12 faces.
+  /// How far neighbours are, in mean distances of adjacent centroids. Default 2, about 12 faces; 0:
+  /// from the data.
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}

@@ -3,6 +3,7 @@
 
 #include "vtkBilateralPointFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkObjectFactory.h"
@@ -25,9 +26,9 @@ void vtkBilateralPointFilter::Configure(sd::PointDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   auto& operation = std::get<sd::TwoStageSettings>(settings.Operator);
-  operation.Points.SpatialScale = this->SpatialScale;
-  operation.Normals.SpatialScale = this->SpatialScale;
-  operation.Points.NormScale = this->HeightScale;
+  this->Open->TakeSpatial("SpatialScale", this->SpatialScale, operation.Points.SpatialScale);
+  this->Open->Tie(operation.Points.SpatialScale, operation.Normals.SpatialScale);
+  this->Open->Take("HeightScale", this->HeightScale, operation.Points.NormScale, 1.0, 0.001);
   operation.NormalIterations = this->FitNormals ? 1 : 0;
 }
 

@@ -32,14 +32,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// sigma_d in spacings. Default 1; 0: distances do not count.
-  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  /// sigma_d in spacings. Default 1. 0: from the data; -1: none.
+  vtkSetClampMacro(SpatialScale, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 
   ///@{
-  /// sigma_h in spacings. Default 1; 0.3 to 0.5 keep features better.
-  vtkSetClampMacro(HeightScale, double, 0.001, VTK_DOUBLE_MAX);
+  /// sigma_h in spacings. Default 1; 0.3 to 0.5 keep features better. 0: from the data.
+  vtkSetClampMacro(HeightScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(HeightScale, double);
   ///@}
 

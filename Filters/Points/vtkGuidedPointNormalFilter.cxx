@@ -3,6 +3,7 @@
 
 #include "vtkGuidedPointNormalFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkMath.h"
@@ -38,10 +39,12 @@ void vtkGuidedPointNormalFilter::Configure(sd::PointDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   auto& operation = std::get<sd::NormalBundlesSettings>(settings.Operator);
-  operation.RangeScale = this->RangeScale;
-  operation.SpatialScale = this->SpatialScale;
-  operation.NormalIterations = this->NumberOfNormalIterations;
-  operation.PointIterations = this->NumberOfPointIterations;
+  this->Open->Take("NumberOfNormalIterations", this->NumberOfNormalIterations,
+    operation.NormalIterations);
+  this->Open->Take("NumberOfPointIterations", this->NumberOfPointIterations,
+    operation.PointIterations);
+  this->Open->Take("RangeScale", this->RangeScale, operation.RangeScale, 1.0, 0.01);
+  this->Open->Take("SpatialScale", this->SpatialScale, operation.SpatialScale, 1.0, 0.1);
   operation.CandidateThreshold = this->CandidateThreshold;
   operation.CandidateScale = this->CandidateScale;
   operation.UseSkeleton = this->UseSkeleton;

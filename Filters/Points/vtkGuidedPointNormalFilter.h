@@ -29,26 +29,28 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// sigma of exp(-(|G_i - G_j| / sigma)^2) with the guidance normals G, a chord. Default 0.35.
-  vtkSetClampMacro(RangeScale, double, 0.01, 2.0);
+  /// sigma of exp(-(|G_i - G_j| / sigma)^2) with the guidance normals G, a chord. Default 0.35. 0:
+  /// from the data.
+  vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);
   ///@}
 
   ///@{
-  /// sigma_d of exp(-(d / sigma_d)^2) in spacings. Default 1.5.
-  vtkSetClampMacro(SpatialScale, double, 0.1, VTK_DOUBLE_MAX);
+  /// sigma_d of exp(-(d / sigma_d)^2) in spacings. Default 1.5. 0: from the data.
+  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 
   ///@{
-  /// How often normals are filtered. Default 5.
-  vtkSetClampMacro(NumberOfNormalIterations, int, 0, VTK_INT_MAX);
+  /// How often normals are filtered. Default 5. 0: from the data; -1: none.
+  vtkSetClampMacro(NumberOfNormalIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfNormalIterations, int);
   ///@}
 
   ///@{
-  /// How often points move, after the normals were filtered. Default 10.
-  vtkSetClampMacro(NumberOfPointIterations, int, 0, VTK_INT_MAX);
+  /// How often points move, after the normals were filtered. Default 10. 0: from the data; -1:
+  /// none.
+  vtkSetClampMacro(NumberOfPointIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPointIterations, int);
   ///@}
 

@@ -3,6 +3,7 @@
 
 #include "vtkMovingRobustPCAFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkMath.h"
@@ -27,7 +28,8 @@ void vtkMovingRobustPCAFilter::Configure(sd::PointDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   auto& operation = std::get<sd::MovingRobustPCASettings>(settings.Operator);
-  operation.NormalAngle = vtkMath::RadiansFromDegrees(this->NormalAngle);
+  const double degree = vtkMath::RadiansFromDegrees(1.0);
+  this->Open->Take("NormalAngle", this->NormalAngle, operation.NormalAngle, degree, degree);
   operation.Fidelity = this->DataFidelity;
   operation.Rounds = this->NumberOfRobustFits;
 }

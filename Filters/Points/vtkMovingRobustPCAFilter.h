@@ -28,8 +28,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// sigma, the angle between normals that counts, in degrees: 15 to 30. Default 22.5.
-  vtkSetClampMacro(NormalAngle, double, 1.0, 180.0);
+  /// sigma, the angle between normals that counts, in degrees: 15 to 30. Default 22.5. 0: from the
+  /// data.
+  vtkSetClampMacro(NormalAngle, double, 0.0, 180.0);
   vtkGetMacro(NormalAngle, double);
   ///@}
 

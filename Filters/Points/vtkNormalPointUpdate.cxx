@@ -3,6 +3,7 @@
 
 #include "vtkNormalPointUpdate.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkObjectFactory.h"

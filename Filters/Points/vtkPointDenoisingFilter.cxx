@@ -3,6 +3,8 @@
 
 #include "vtkPointDenoisingFilter.h"
 
+#include "Automatic/CloudTuning.h"
+#include "Automatic/ProgressShare.h"
 #include "DenoisingReport.h"
 #include "PointAdapter.h"
 #include "Points/PointMethods.h"
@@ -32,7 +34,8 @@ static_assert(static_cast<int>(sd::FeatureClass::Corner) ==
   "The feature classes are those of the core.");
 
 vtkPointDenoisingFilter::vtkPointDenoisingFilter(const sd::PointDenoisingSettings& defaults)
-  : Standard(defaults)
+  : Open(new sd::OpenSettings)
+  , Standard(defaults)
 {
   this->vtkPointDenoisingFilter::TakeSettings(defaults);
 }
@@ -46,6 +49,8 @@ vtkPointDenoisingFilter::~vtkPointDenoisingFilter() = default;
 
 double vtkPointDenoisingFilter::Rounded(double value) { return std::round(value * 1e9) / 1e9; }
 
+int vtkPointDenoisingFilter::AtLeastThree(int count) { return count > 0 ? std::max(3, count) : 0; }
+
 void vtkPointDenoisingFilter::TakeSettings(const sd::PointDenoisingSettings& settings)
 {
   this->NumberOfNormalNeighbors = settings.Normals.NumberOfNeighbors;
@@ -58,8 +63,10 @@ void vtkPointDenoisingFilter::Configure(sd::PointDenoisingSettings& settings)
   settings = this->Defaults();
   settings.Normals.Source = static_cast<sd::NormalSource>(this->NormalSource);
   settings.Normals.Orientation = static_cast<sd::NormalOrientation>(this->NormalOrientation);
-  settings.Normals.NumberOfNeighbors = this->NumberOfNormalNeighbors;
-  settings.OuterIterations = this->NumberOfOuterIterations;
+  this->Open->Take("NumberOfNormalNeighbors", AtLeastThree(this->NumberOfNormalNeighbors),
+    settings.Normals.NumberOfNeighbors, 6);
+  this->Open->Take("NumberOfOuterIterations", this->NumberOfOuterIterations,
+    settings.OuterIterations);
   settings.MaximumDisplacement = this->MaximumDisplacement;
 }
 
@@ -68,6 +75,7 @@ int vtkPointDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector**
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->Open->Clear();
   this->TakeReport(sd::PointDenoisingReport());
   if (input->GetNumberOfPoints() == 0)
   {
@@ -138,7 +146,12 @@ bool vtkPointDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPol
   }
 
   sd::PointDenoisingReport report;
-  const bool finished = this->Denoise(view, settings, report, execution);
+  sd::DenoisingReport figures;
+  const bool asks = this->Open->Any() || this->StopAtNoise;
+  sd::ProgressShare choosing(execution, 0.0, 0.3);
+  sd::ProgressShare denoising(execution, asks ? 0.3 : 0.0, 1.0);
+  const bool finished = (!asks || this->MeetNoise(view, settings, figures, choosing)) &&
+    this->Denoise(view, settings, report, denoising);
   this->TakeReport(report);
   if (!finished)
   {
@@ -146,14 +159,14 @@ bool vtkPointDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPol
     output->ShallowCopy(input);
     return true;
   }
-  if (report.NoNoiseFound)
+  if (report.NoNoiseFound && settings.OuterIterations > 0)
   {
     vtkWarningMacro(<< "The normals have no noise to take a scale from; the points stay. Set the "
                        "scale to filter them all the same.");
   }
   sd::PassPoints(input, view, output, execution);
-  sd::DenoisingReport figures;
   figures.Add("Mean Spacing", report.Spacing);
+  figures.Add("Outer Iterations", report.OuterIterations);
   figures.Add("Kept Points", report.Kept);
   figures.Add("Points Not Finite", report.NotFinite);
   figures.Add("Fitted Normals", report.EstimatedNormals);
@@ -163,6 +176,38 @@ bool vtkPointDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPol
   figures.Add("Seconds Of Filtering", report.FilterSeconds);
   figures.WriteTo(output);
   return true;
+}
+
+/// What the settings get from the noise of the points. Returns false if the execution asked to
+/// stop.
+bool vtkPointDenoisingFilter::MeetNoise(const sd::PointView& view,
+  sd::PointDenoisingSettings& settings, sd::DenoisingReport& figures, sd::Execution& execution)
+{
+  sd::CloudTuningReport found;
+  if (!(this->Open->Any() ? sd::TuneForCloud(view.Cloud, *this->Open, settings, found, execution)
+                          : sd::MeasureNoise(view.Cloud, found, execution)))
+  {
+    return false;
+  }
+  figures.Add("Noise In Spacings", found.Spacing > 0.0 ? found.Deviation / found.Spacing : 0.0);
+  figures.Add("Seconds Of Choosing", found.Seconds);
+  for (const sd::OpenSetting& setting : this->Open->All())
+  {
+    figures.Add("Chosen " + setting.Name, setting.Chosen);
+  }
+  if (found.NoNoiseFound)
+  {
+    vtkWarningMacro(<< "The points have no noise to choose settings for; they stay. Set them to "
+                       "filter them all the same.");
+    settings.OuterIterations = 0;
+  }
+  settings.Residual = this->StopAtNoise ? found.Deviation : 0.0;
+  return true;
+}
+
+double vtkPointDenoisingFilter::GetChosenValue(const char* property) const
+{
+  return this->Open->Chosen(property ? property : "");
 }
 
 bool vtkPointDenoisingFilter::Denoise(sd::PointView& view,
@@ -188,6 +233,7 @@ void vtkPointDenoisingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalOrientation: " << this->NormalOrientation << "\n";
   os << indent << "NumberOfNormalNeighbors: " << this->NumberOfNormalNeighbors << "\n";
   os << indent << "NumberOfOuterIterations: " << this->NumberOfOuterIterations << "\n";
+  os << indent << "StopAtNoise: " << this->StopAtNoise << "\n";
   os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MeanSpacing: " << this->MeanSpacing << "\n";

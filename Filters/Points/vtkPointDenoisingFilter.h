@@ -29,6 +29,11 @@
  * neighbours, or with neighbours at one place or on a line, stays where it is. All these are marked
  * in "Status". An empty input passes through.
  *
+ * Where a property says "0: from the data", the value is chosen in each execution: the one that
+ * promises the smallest distance from the surface, by Stein's unbiased risk estimate, for the noise
+ * that the points have. Several open properties are chosen together. Values are tried on some parts
+ * of the cloud, which takes about a second. Points without noise stay, with a warning.
+ *
  * Results are the same on any number of threads and in any order of the points. Lengths are
  * relative to the model, in mean spacings: the median over the points of r sqrt(pi / 16), where r
  * is the distance of the 16th nearest point; the spacing of a square grid with as many points per
@@ -41,13 +46,17 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSurfaceDenoisingPointsModule.h" // for export macro
 
+#include <memory> // for the settings that the data choose
+
 namespace SurfaceDenoising
 {
 enum class PointMethod : int;
 struct PointDenoisingReport;
 struct PointDenoisingSettings;
 struct PointView;
+class DenoisingReport;
 class Execution;
+class OpenSettings;
 }
 
 class VTKSURFACEDENOISINGPOINTS_EXPORT vtkPointDenoisingFilter : public vtkPolyDataAlgorithm
@@ -112,19 +121,30 @@ public:
   ///@{
   /// How many nearest points fits of normals look at, at least 3. Default 16, or 24 of methods that
   /// filter these normals. 30 to 40 for noise of half a spacing, 80 for noise of a whole one: with
-  /// too few, edges are lost from the start.
-  vtkSetClampMacro(NumberOfNormalNeighbors, int, 3, VTK_INT_MAX);
+  /// too few, edges are lost from the start. 0: from the data.
+  vtkSetClampMacro(NumberOfNormalNeighbors, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfNormalNeighbors, int);
   ///@}
 
   ///@{
   /**
    * How often the method runs; every outer iteration goes on from the points and normals of the one
-   * before. The default is that of the method. More remove more noise; 0 does nothing but
-   * orient the normals.
+   * before. The default is that of the method. More remove more noise. 0: from the data;
+   * -1: none, the normals are oriented and the points stay.
    */
-  vtkSetClampMacro(NumberOfOuterIterations, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfOuterIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfOuterIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * End the outer iterations as soon as the points moved as far along their normals as the noise
+   * that they have (standard deviation, told from medians): the number of iterations is then the
+   * most there may be. Points without noise stay. Default off.
+   */
+  vtkSetMacro(StopAtNoise, bool);
+  vtkGetMacro(StopAtNoise, bool);
+  vtkBooleanMacro(StopAtNoise, bool);
   ///@}
 
   ///@{
@@ -160,6 +180,13 @@ public:
   vtkGetMacro(NumberOfParts, vtkIdType);
   ///@}
 
+  /**
+   * The value that the last execution chose for a property that was 0, by its name, say
+   * "NumberOfNeighbors"; NaN for the others and before. The same figures are components of the
+   * field array "DenoisingReport", for example "Chosen NumberOfNeighbors".
+   */
+  double GetChosenValue(const char* property) const;
+
 protected:
   /// Defaults are the settings, which must outlive the filter.
   explicit vtkPointDenoisingFilter(const SurfaceDenoising::PointDenoisingSettings& defaults);
@@ -191,10 +218,17 @@ protected:
   /// A number as people write it: without the dust of conversions.
   static double Rounded(double value);
 
+  /// A count of neighbours that means something; 0 stays.
+  static int AtLeastThree(int count);
+
+  /// The settings that the data choose in this execution. Subclasses take their properties there.
+  std::unique_ptr<SurfaceDenoising::OpenSettings> Open;
+
   int NormalSource = AUTOMATIC;
   int NormalOrientation = AUTOMATIC_ORIENTATION;
   int NumberOfNormalNeighbors;
   int NumberOfOuterIterations;
+  bool StopAtNoise = false;
   double MaximumDisplacement;
   int NumberOfThreads = 0;
 
@@ -209,6 +243,9 @@ private:
   void operator=(const vtkPointDenoisingFilter&) = delete;
 
   bool Process(vtkInformationVector** inputVector, vtkPolyData* output);
+  bool MeetNoise(const SurfaceDenoising::PointView& view,
+    SurfaceDenoising::PointDenoisingSettings& settings, SurfaceDenoising::DenoisingReport& figures,
+    SurfaceDenoising::Execution& execution);
   bool FindNormals(vtkInformationVector** inputVector, vtkDataArray*& normals);
 
   const SurfaceDenoising::PointDenoisingSettings& Standard;

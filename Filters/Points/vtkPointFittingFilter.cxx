@@ -3,6 +3,7 @@
 
 #include "vtkPointFittingFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkMath.h"
@@ -65,7 +66,7 @@ void vtkPointFittingFilter::TakeSettings(const sd::PointDenoisingSettings& setti
   this->PositionArgument = FilterArgument(operation.Points.Argument);
   this->PositionRangeScale =
     Rounded(operation.Points.NormScale / RangeUnit(this->PositionArgument));
-  this->PositionSpatialScale = operation.Points.SpatialScale;
+  this->PositionSpatialScale = sd::OpenSettings::SpatialProperty(operation.Points.SpatialScale);
   this->PositionIncludeOwn = operation.Points.IncludeOwn;
   this->EigenvalueCut = operation.Update.EigenvalueCut;
   this->DensityWeights = operation.DensityWeights;
@@ -93,13 +94,16 @@ void vtkPointFittingFilter::Configure(sd::PointDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   auto& operation = std::get<sd::TwoStageSettings>(settings.Operator);
-  operation.PointIterations = this->NumberOfPointIterations;
+  this->Open->Take("NumberOfPointIterations", this->NumberOfPointIterations,
+    operation.PointIterations);
   operation.Update.Scheme = static_cast<sd::PointScheme>(this->PositionScheme);
   operation.Update.Step = this->PositionStep;
   operation.Points.Norm = static_cast<sd::NormId>(this->PositionNorm);
   operation.Points.Argument = CoreArgument(this->PositionArgument);
-  operation.Points.NormScale = this->PositionRangeScale * RangeUnit(this->PositionArgument);
-  operation.Points.SpatialScale = this->PositionSpatialScale;
+  this->Open->Take("PositionRangeScale", this->PositionRangeScale, operation.Points.NormScale,
+    RangeUnit(this->PositionArgument), 1e-6);
+  this->Open->TakeSpatial("PositionSpatialScale", this->PositionSpatialScale,
+    operation.Points.SpatialScale);
   operation.Points.IncludeOwn = this->PositionIncludeOwn;
   operation.Update.EigenvalueCut = this->EigenvalueCut;
   operation.DensityWeights = this->DensityWeights;

@@ -70,8 +70,8 @@ public:
 
   ///@{
   /// Number of steps that move the points, per outer iteration. Default 5; 0 leaves the points
-  /// alone.
-  vtkSetClampMacro(NumberOfPointIterations, int, 0, VTK_INT_MAX);
+  /// alone. 0: from the data; -1: none.
+  vtkSetClampMacro(NumberOfPointIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPointIterations, int);
   ///@}
 
@@ -128,14 +128,15 @@ public:
   ///@}
 
   ///@{
-  /// The scale of the norm of the update in units of its argument. Default 0.2.
-  vtkSetClampMacro(PositionRangeScale, double, 0.0001, VTK_DOUBLE_MAX);
+  /// The scale of the norm of the update in units of its argument. Default 0.2. 0: from the data.
+  vtkSetClampMacro(PositionRangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PositionRangeScale, double);
   ///@}
 
   ///@{
-  /// Sigma of the spatial Gaussian of the update in spacings; 0: none. Default 1.5.
-  vtkSetClampMacro(PositionSpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  /// Sigma of the spatial Gaussian of the update in spacings. Default 1.5. 0: from the data; -1:
+  /// none.
+  vtkSetClampMacro(PositionSpatialScale, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PositionSpatialScale, double);
   ///@}
 

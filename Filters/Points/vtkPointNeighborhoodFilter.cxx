@@ -3,6 +3,7 @@
 
 #include "vtkPointNeighborhoodFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 namespace sd = SurfaceDenoising;
@@ -39,8 +40,16 @@ void vtkPointNeighborhoodFilter::Configure(sd::PointDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   settings.Neighborhood.Kind = static_cast<sd::PointNeighborhood>(this->Neighborhood);
-  settings.Neighborhood.Count = this->NumberOfNeighbors;
-  settings.Neighborhood.Radius = this->Radius;
+  if (this->Neighborhood == NEAREST)
+  {
+    this->Open->Take("NumberOfNeighbors", AtLeastThree(this->NumberOfNeighbors),
+      settings.Neighborhood.Count, 6);
+  }
+  else
+  {
+    // Larger balls take minutes.
+    this->Open->Take("Radius", this->Radius, settings.Neighborhood.Radius, 1.0, 0.0, 0.0, 8.0);
+  }
   settings.Neighborhood.MaximumCount = this->MaximumNumberOfNeighbors;
   settings.RenewNeighborhood = this->RenewNeighborhood;
   settings.LocalScale = this->LocalScale;

@@ -38,14 +38,14 @@ public:
 
   ///@{
   /// How many nearest points are the neighbours of a point, at least 3. The default is that of
-  /// the method.
-  vtkSetClampMacro(NumberOfNeighbors, int, 3, VTK_INT_MAX);
+  /// the method; 0: from the data.
+  vtkSetClampMacro(NumberOfNeighbors, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfNeighbors, int);
   ///@}
 
   ///@{
   /// The radius of BALL in mean spacings. A radius r holds about pi r^2 points of a surface. The
-  /// default is that of the method.
+  /// default is that of the method; 0: from the data.
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}

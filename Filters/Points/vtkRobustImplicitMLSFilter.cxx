@@ -3,6 +3,7 @@
 
 #include "vtkRobustImplicitMLSFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkObjectFactory.h"
@@ -29,8 +30,8 @@ void vtkRobustImplicitMLSFilter::Configure(sd::PointDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   auto& operation = std::get<sd::RobustImplicitMLSSettings>(settings.Operator);
-  operation.FilterScale = this->FilterScale;
-  operation.NormalScale = this->NormalScale;
+  this->Open->Take("FilterScale", this->FilterScale, operation.FilterScale, 1.0, 0.5);
+  this->Open->Take("NormalScale", this->NormalScale, operation.NormalScale, 1.0, 0.01);
   operation.ResidualScale = this->ResidualScale;
   operation.MaximumFits = this->MaximumNumberOfFits;
   operation.MaximumProjections = this->MaximumNumberOfProjections;

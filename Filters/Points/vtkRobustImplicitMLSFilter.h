@@ -35,15 +35,15 @@ public:
 
   ///@{
   /// Radius of the balls around samples over 2 r_16 / sqrt(16), about 1.13 spacings. Useful are
-  /// 1.4 to 4, default 3: larger is smoother.
-  vtkSetClampMacro(FilterScale, double, 0.5, VTK_DOUBLE_MAX);
+  /// 1.4 to 4, default 3: larger is smoother. 0: from the data.
+  vtkSetClampMacro(FilterScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FilterScale, double);
   ///@}
 
   ///@{
   /// sigma_n, the difference of normals that counts, as a chord: 0.5 (sharp) to 1.5 (smooth).
-  /// Default 0.75.
-  vtkSetClampMacro(NormalScale, double, 0.01, VTK_DOUBLE_MAX);
+  /// Default 0.75. 0: from the data.
+  vtkSetClampMacro(NormalScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NormalScale, double);
   ///@}
 

@@ -3,6 +3,7 @@
 
 #include "vtkRobustPointNormalFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkObjectFactory.h"
@@ -64,8 +65,9 @@ void vtkRobustPointNormalFilter::TakeSettings(const sd::PointDenoisingSettings& 
   const auto& operation = std::get<sd::TwoStageSettings>(settings.Operator);
   this->Norm = static_cast<int>(operation.Normals.Norm);
   this->Argument = FilterArgument(operation.Normals.Argument);
+  this->ScaleSource = GIVEN;
   this->RangeScale = Rounded(operation.Normals.NormScale / RangeUnit(this->Argument));
-  this->SpatialScale = operation.Normals.SpatialScale;
+  this->SpatialScale = sd::OpenSettings::SpatialProperty(operation.Normals.SpatialScale);
   this->NumberOfNormalIterations = operation.NormalIterations;
   this->Guidance = static_cast<int>(operation.Guidance);
   this->DataSource = static_cast<int>(operation.Data);
@@ -106,14 +108,28 @@ void vtkRobustPointNormalFilter::Configure(sd::PointDenoisingSettings& settings)
     const sd::PointNormalSettings normals = settings.Normals;
     settings = row->Settings;
     settings.Normals = normals;
+    // The numbers of a preset are its own.
+    this->Open->Clear();
+    this->Open->Take("NumberOfNormalNeighbors", AtLeastThree(this->NumberOfNormalNeighbors),
+      settings.Normals.NumberOfNeighbors, 6);
     return;
   }
   auto& operation = std::get<sd::TwoStageSettings>(settings.Operator);
   operation.Normals.Norm = static_cast<sd::NormId>(this->Norm);
   operation.Normals.Argument = CoreArgument(this->Argument);
-  operation.Normals.NormScale = this->RangeScale * RangeUnit(this->Argument);
-  operation.Normals.SpatialScale = this->SpatialScale;
-  operation.NormalIterations = this->NumberOfNormalIterations;
+  this->Open->Take("NumberOfNormalIterations", this->NumberOfNormalIterations,
+    operation.NormalIterations);
+  if (this->ScaleSource == GIVEN)
+  {
+    this->Open->Take("RangeScale", this->RangeScale, operation.Normals.NormScale,
+      RangeUnit(this->Argument));
+  }
+  else
+  {
+    operation.Normals.NormScale = 0.0;
+    operation.Estimator = static_cast<sd::ScaleEstimator>(this->ScaleSource - DATA_MAD);
+  }
+  this->Open->TakeSpatial("SpatialScale", this->SpatialScale, operation.Normals.SpatialScale);
   operation.Guidance = static_cast<sd::PointGuidance>(this->Guidance);
   operation.Data = static_cast<sd::PointNormalData>(this->DataSource);
   operation.Operator = static_cast<sd::PointNormalOperator>(this->Operator);
@@ -127,6 +143,7 @@ void vtkRobustPointNormalFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Preset: " << vtkRobustPointNormalFilter::GetPresetName(this->Preset) << "\n";
   os << indent << "Norm: " << vtkPointFittingFilter::GetNormName(this->Norm) << "\n";
   os << indent << "Argument: " << this->Argument << "\n";
+  os << indent << "ScaleSource: " << this->ScaleSource << "\n";
   os << indent << "RangeScale: " << this->RangeScale << "\n";
   os << indent << "SpatialScale: " << this->SpatialScale << "\n";
   os << indent << "NumberOfNormalIterations: " << this->NumberOfNormalIterations << "\n";

@@ -60,6 +60,15 @@ public:
     PLANE_NORMAL = 3
   };
 
+  /// Where the range scale comes from.
+  enum ScaleSources
+  {
+    GIVEN = 0,           ///< RangeScale
+    DATA_MAD = 1,        ///< 1.4826 median |x - median x| over neighbours
+    DATA_RAYLEIGH = 2,   ///< median x / 1.1774
+    DATA_HALF_NORMAL = 3 ///< 1.4826 median x
+  };
+
   /// Published methods that are compositions.
   enum Presets
   {
@@ -118,24 +127,36 @@ public:
 
   ///@{
   /**
-   * The scale of the norm in units of its argument. Default 0.2. 0: from the data, such that
-   * differences of neighbours above their robust standard deviation (median absolute deviation)
-   * count as outliers; data without any noise pass through with a warning.
+   * Where the scale comes from, one of ScaleSources. From the differences of neighbouring normals,
+   * it is such that those above their robust standard deviation count as outliers: Tukey sqrt(5),
+   * Lorentzian and Centin-Signoroni 1 / sqrt(2), others 1 standard deviation. Differences of zero
+   * let the points stay, with a warning. Default GIVEN.
    */
+  vtkSetClampMacro(ScaleSource, int, GIVEN, DATA_HALF_NORMAL);
+  vtkGetMacro(ScaleSource, int);
+  void SetScaleSourceToGiven() { this->SetScaleSource(GIVEN); }
+  void SetScaleSourceToDataMAD() { this->SetScaleSource(DATA_MAD); }
+  void SetScaleSourceToDataRayleigh() { this->SetScaleSource(DATA_RAYLEIGH); }
+  void SetScaleSourceToDataHalfNormal() { this->SetScaleSource(DATA_HALF_NORMAL); }
+  ///@}
+
+  ///@{
+  /// The scale of the norm in units of its argument, if it is GIVEN. Default 0.2; 0: the one with
+  /// the smallest expected error.
   vtkSetClampMacro(RangeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(RangeScale, double);
   ///@}
 
   ///@{
-  /// Sigma of the spatial Gaussian in spacings; 0: none. Default 1.5.
-  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
+  /// Sigma of the spatial Gaussian in spacings. Default 1.5. 0: from the data; -1: none.
+  vtkSetClampMacro(SpatialScale, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 
   ///@{
   /// How often normals are filtered, per outer iteration. Default 2; 1 for smooth objects, 10
-  /// for sharp ones.
-  vtkSetClampMacro(NumberOfNormalIterations, int, 0, VTK_INT_MAX);
+  /// for sharp ones. 0: from the data; -1: none.
+  vtkSetClampMacro(NumberOfNormalIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfNormalIterations, int);
   ///@}
 
@@ -191,6 +212,7 @@ protected:
   int Preset = CUSTOM;
   int Norm;
   int Argument;
+  int ScaleSource = GIVEN;
   double RangeScale;
   double SpatialScale;
   int NumberOfNormalIterations;

@@ -3,6 +3,7 @@
 
 #include "vtkRollingPointNormalFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkObjectFactory.h"
@@ -39,13 +40,16 @@ void vtkRollingPointNormalFilter::Configure(sd::PointDenoisingSettings& settings
 {
   this->Superclass::Configure(settings);
   auto& operation = std::get<sd::TwoStageSettings>(settings.Operator);
-  operation.Normals.NormScale = this->RangeScale / ScaleOfSigma;
-  operation.Normals.SpatialScale = this->SpatialScale / ScaleOfSigma;
-  operation.NormalIterations = this->NumberOfRolls;
-  operation.PointIterations = this->NumberOfPointIterations;
+  this->Open->Take("NumberOfRolls", this->NumberOfRolls, operation.NormalIterations);
+  this->Open->Take("NumberOfPointIterations", this->NumberOfPointIterations,
+    operation.PointIterations);
+  this->Open->Take("RangeScale", this->RangeScale, operation.Normals.NormScale, 1.0 / ScaleOfSigma,
+    0.01 / ScaleOfSigma);
+  this->Open->Tie(operation.Normals.NormScale, operation.Points.NormScale);
+  this->Open->Take("SpatialScale", this->SpatialScale, operation.Normals.SpatialScale,
+    1.0 / ScaleOfSigma, 0.1 / ScaleOfSigma);
+  this->Open->Tie(operation.Normals.SpatialScale, operation.Points.SpatialScale);
   operation.Unoriented = this->UnorientedNormals;
-  operation.Points.NormScale = operation.Normals.NormScale;
-  operation.Points.SpatialScale = operation.Normals.SpatialScale;
 }
 
 void vtkRollingPointNormalFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -29,26 +29,28 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// sigma, the difference of normals that counts, as a chord: 0.1 to 0.5. Default 0.35.
-  vtkSetClampMacro(RangeScale, double, 0.01, 2.0);
+  /// sigma, the difference of normals that counts, as a chord: 0.1 to 0.5. Default 0.35. 0: from
+  /// the data.
+  vtkSetClampMacro(RangeScale, double, 0.0, 2.0);
   vtkGetMacro(RangeScale, double);
   ///@}
 
   ///@{
-  /// sigma_d in spacings: what is smaller vanishes. Default 1.55.
-  vtkSetClampMacro(SpatialScale, double, 0.1, VTK_DOUBLE_MAX);
+  /// sigma_d in spacings: what is smaller vanishes. Default 1.55. 0: from the data.
+  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 
   ///@{
-  /// How often normals are filtered. Settled after 4 to 6; default 4.
-  vtkSetClampMacro(NumberOfRolls, int, 1, VTK_INT_MAX);
+  /// How often normals are filtered. Settled after 4 to 6; default 4. 0: from the data.
+  vtkSetClampMacro(NumberOfRolls, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfRolls, int);
   ///@}
 
   ///@{
-  /// How often points move, after the normals were filtered. Default 10.
-  vtkSetClampMacro(NumberOfPointIterations, int, 0, VTK_INT_MAX);
+  /// How often points move, after the normals were filtered. Default 10. 0: from the data; -1:
+  /// none.
+  vtkSetClampMacro(NumberOfPointIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPointIterations, int);
   ///@}
 

@@ -3,6 +3,7 @@
 
 #include "vtkTensorPointFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "Points/PointMethods.h"
 
 #include "vtkObjectFactory.h"
@@ -30,7 +31,7 @@ void vtkTensorPointFilter::Configure(sd::PointDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   auto& operation = std::get<sd::TensorRegionsSettings>(settings.Operator);
-  operation.Range = this->Range;
+  this->Open->Take("Range", this->Range, operation.Range, 1.0, 0.1);
   operation.BendFactor = this->BendFactor;
   operation.FeatureThreshold = this->FeatureThreshold;
   operation.FeatureContrast = this->FeatureContrast;

@@ -28,8 +28,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// sigma in spacings. Default 4.
-  vtkSetClampMacro(Range, double, 0.1, VTK_DOUBLE_MAX);
+  /// sigma in spacings. Default 4. 0: from the data.
+  vtkSetClampMacro(Range, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Range, double);
   ///@}
 

@@ -3,6 +3,7 @@
 
 #include "vtkVotingTensorPointFilter.h"
 
+#include "Automatic/OpenSettings.h"
 #include "PointAdapter.h"
 #include "Points/PointMethods.h"
 #include "Points/ReleasedVotingTensor.h"
@@ -36,19 +37,34 @@ vtkVotingTensorPointFilter::vtkVotingTensorPointFilter()
 
 vtkVotingTensorPointFilter::~vtkVotingTensorPointFilter() = default;
 
+int vtkVotingTensorPointFilter::RequestData(vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (this->AsReleased &&
+    (!(this->AngleThreshold > 0.0) || this->NumberOfOuterIterations == 0 || this->StopAtNoise))
+  {
+    vtkErrorMacro(<< "The released program takes nothing from the data: AngleThreshold and "
+                     "NumberOfOuterIterations must not be 0, and StopAtNoise must be off.");
+    return 0;
+  }
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
 void vtkVotingTensorPointFilter::Configure(sd::PointDenoisingSettings& settings)
 {
   this->Superclass::Configure(settings);
   auto& operation = std::get<sd::VotingTensorPointsSettings>(settings.Operator);
-  operation.AngleThreshold = vtkMath::RadiansFromDegrees(this->AngleThreshold);
+  const double degree = vtkMath::RadiansFromDegrees(1.0);
+  this->Open->Take("AngleThreshold", this->AngleThreshold, operation.AngleThreshold, degree,
+    degree);
   operation.EigenvalueThreshold = this->EigenvalueThreshold;
   operation.Damping = this->Damping;
   operation.Step = this->Step;
   operation.PlaneScale = this->PlaneScale;
   operation.FlatScheme =
     this->HeightMode == OWN_HEIGHT ? sd::PointScheme::OwnHeight : sd::PointScheme::BalancedHeight;
-  operation.FlatNormalScale = this->NormalScale;
-  operation.FlatSpatialScale = this->SpatialScale;
+  this->Open->Take("NormalScale", this->NormalScale, operation.FlatNormalScale, 1.0, 0.01);
+  this->Open->Take("SpatialScale", this->SpatialScale, operation.FlatSpatialScale, 1.0, 0.1);
   operation.EigenvalueCut = this->EigenvalueCut;
   operation.Unoriented = this->UnorientedNormals;
 }
@@ -64,7 +80,7 @@ bool vtkVotingTensorPointFilter::Denoise(sd::PointView& view,
   }
   const sd::Stopwatch stopwatch(report.FilterSeconds);
   sd::ReleasedVotingTensorSettings released;
-  released.Iterations = this->NumberOfOuterIterations;
+  released.Iterations = settings.OuterIterations;
   released.Similarity = std::cos(vtkMath::RadiansFromDegrees(this->AngleThreshold));
   released.EigenvalueThreshold = this->EigenvalueThreshold;
   released.Damping = this->Damping;

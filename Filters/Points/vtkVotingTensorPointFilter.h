@@ -55,8 +55,9 @@ public:
   };
 
   ///@{
-  /// Normals within this angle are similar, in degrees. Default 36.87 (a cosine of 0.8).
-  vtkSetClampMacro(AngleThreshold, double, 1.0, 180.0);
+  /// Normals within this angle are similar, in degrees. Default 36.87 (a cosine of 0.8). 0: from
+  /// the data.
+  vtkSetClampMacro(AngleThreshold, double, 0.0, 180.0);
   vtkGetMacro(AngleThreshold, double);
   ///@}
 
@@ -96,14 +97,15 @@ public:
 
   ///@{
   /// sigma of exp(-(|n_i - n_j| / sigma)^2) in the steps of points of faces, a chord. Default
-  /// 0.35.
-  vtkSetClampMacro(NormalScale, double, 0.01, 2.0);
+  /// 0.35. 0: from the data.
+  vtkSetClampMacro(NormalScale, double, 0.0, 2.0);
   vtkGetMacro(NormalScale, double);
   ///@}
 
   ///@{
-  /// sigma of exp(-(d / sigma)^2) in the steps of points, in spacings. Default 1.5.
-  vtkSetClampMacro(SpatialScale, double, 0.1, VTK_DOUBLE_MAX);
+  /// sigma of exp(-(d / sigma)^2) in the steps of points, in spacings. Default 1.5. 0: from the
+  /// data.
+  vtkSetClampMacro(SpatialScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SpatialScale, double);
   ///@}
 
@@ -133,6 +135,7 @@ protected:
   vtkVotingTensorPointFilter();
   ~vtkVotingTensorPointFilter() override;
 
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Configure(SurfaceDenoising::PointDenoisingSettings& settings) override;
   bool Denoise(SurfaceDenoising::PointView& view,
     const SurfaceDenoising::PointDenoisingSettings& settings,

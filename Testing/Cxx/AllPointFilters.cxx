@@ -69,7 +69,7 @@ std::vector<PointFilter> MakeList()
   all.push_back(Entry<Robust>("Robust by Data", NEEDS_NOISE,
     [](Robust* f)
     {
-      f->SetRangeScale(0.0);
+      f->SetScaleSourceToDataMAD();
       f->SetNormToHuber();
       f->SetArgumentToAngle();
     }));

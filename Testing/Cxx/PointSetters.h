@@ -52,7 +52,7 @@ void TestCommonSettings(int& failures)
   const int outer = defaults->GetNumberOfOuterIterations();
   CHECK(!changes([=](Filter* f) { f->SetNumberOfOuterIterations(std::min(4, outer)); }));
   CHECK(changes([](Filter* f) { f->SetNumberOfOuterIterations(5); }));
-  CHECK(changes([](Filter* f) { f->SetNumberOfOuterIterations(0); }));
+  CHECK(changes([](Filter* f) { f->SetNumberOfOuterIterations(-1); }));
   CHECK(changes([](Filter* f) { f->SetMaximumDisplacement(0.1); }));
   // Results do not depend on threads.
   CHECK(!changes([](Filter* f) { f->SetNumberOfThreads(2); }));

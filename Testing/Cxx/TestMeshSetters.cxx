@@ -36,7 +36,7 @@ void TestVertexSettings(Changes<Filter>& changes, int& failures)
 {
   vtkNew<Filter> defaults;
   CHECK(changes([](Filter* f) { f->SetNumberOfVertexIterations(13); }));
-  CHECK(changes([](Filter* f) { f->SetNumberOfVertexIterations(0); }));
+  CHECK(changes([](Filter* f) { f->SetNumberOfVertexIterations(-1); }));
   for (int scheme = Filter::FACE_MEAN; scheme <= Filter::EDGE_WEIGHTED; ++scheme)
   {
     CHECK(changes([=](Filter* f) { f->SetVertexScheme(scheme); }) ==
@@ -55,9 +55,9 @@ void TestCommonSettings(int& failures, std::function<void(Filter*)> fold = nullp
   Changes<Filter> changes;
   TestVertexSettings(changes, failures);
   CHECK(changes([](Filter* f) { f->SetNumberOfOuterIterations(5); }));
-  CHECK(changes([](Filter* f) { f->SetNumberOfOuterIterations(0); }));
+  CHECK(changes([](Filter* f) { f->SetNumberOfOuterIterations(-1); }));
   CHECK(changes([](Filter* f) { f->SetNumberOfNormalIterations(5); }));
-  CHECK(changes([](Filter* f) { f->SetNumberOfNormalIterations(0); }));
+  CHECK(changes([](Filter* f) { f->SetNumberOfNormalIterations(-1); }));
   CHECK(changes([](Filter* f) { f->UpdateVerticesOff(); }));
   Changes<Filter> relaxed([](Filter* f) { f->SetVertexSchemeToEdgeWeighted(); });
   CHECK(relaxed([](Filter* f) { f->SetRelaxation(0.1); }));
@@ -90,14 +90,14 @@ void TestBilateral(int& failures)
   CHECK(local([](Filter* f) { f->SetRangeScale(0.36); }));
   CHECK(local([](Filter* f) { f->SetRangeScale(0.0); }));
   CHECK(local([](Filter* f) { f->SetSpatialScale(2.0); }));
-  CHECK(local([](Filter* f) { f->SetSpatialScale(0.0); }));
+  CHECK(local([](Filter* f) { f->SetSpatialScale(-1.0); }));
   CHECK(local([](Filter* f) { f->SetNeighborhoodToEdgeAdjacent(); }));
   CHECK(local([](Filter* f) { f->SetSchemeToGlobal(); }));
   Changes<Filter> global([](Filter* f) { f->SetSchemeToGlobal(); });
   CHECK(global([](Filter* f) { f->SetRangeScale(0.36); }));
   CHECK(global([](Filter* f) { f->SetRangeScale(0.0); }));
   CHECK(global([](Filter* f) { f->SetSpatialScale(2.0); }));
-  CHECK(global([](Filter* f) { f->SetSpatialScale(0.0); }));
+  CHECK(global([](Filter* f) { f->SetSpatialScale(-1.0); }));
   CHECK(global([](Filter* f) { f->SetNeighborhoodToEdgeAdjacent(); }));
   CHECK(global([](Filter* f) { f->SetFidelity(0.02); }));
   CHECK(global([](Filter* f) { f->AreaEnergyOff(); }));
@@ -200,7 +200,7 @@ void TestLateMethods(int& failures)
   CHECK(guided([](Guided* f) { f->SetRangeScale(0.36); }));
   CHECK(guided([](Guided* f) { f->SetRangeScale(0.0); }));
   CHECK(guided([](Guided* f) { f->SetSpatialScale(2.0); }));
-  CHECK(guided([](Guided* f) { f->SetSpatialScale(0.0); }));
+  CHECK(guided([](Guided* f) { f->SetSpatialScale(-1.0); }));
   CHECK(guided([](Guided* f) { f->SetRadius(3.0); }));
 
   using Fidelity = vtkGeometricFidelityNormalFilter;
@@ -221,7 +221,7 @@ void TestLateMethods(int& failures)
   CHECK(tukey([](Tukey* f) { f->SetRangeScale(0.4); }));
   CHECK(tukey([](Tukey* f) { f->SetRangeScale(0.0); }));
   CHECK(tukey([](Tukey* f) { f->SetSpatialScale(2.0); }));
-  CHECK(tukey([](Tukey* f) { f->SetSpatialScale(0.0); }));
+  CHECK(tukey([](Tukey* f) { f->SetSpatialScale(-1.0); }));
   CHECK(tukey([](Tukey* f) { f->SetRadius(3.0); }));
   CHECK(tukey([](Tukey* f) { f->AsReleasedOn(); }));
   Changes<Tukey> released([](Tukey* f) { f->AsReleasedOn(); });

@@ -93,7 +93,7 @@ void TestStartNormals(const MeshFilter& about, int& failures)
   {
     auto* filter = vtkFaceNormalFilter::SafeDownCast(test.Filter);
     filter->SetNumberOfOuterIterations(1);
-    filter->SetNumberOfNormalIterations(0);
+    filter->SetNumberOfNormalIterations(-1);
     surface->GetCellData()->GetArray("Mine")->SetName("FilteredNormals");
     StartFrom(filter, "FilteredNormals");
     output = test.Denoise(surface);

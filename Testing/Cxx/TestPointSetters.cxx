@@ -30,7 +30,7 @@ void TestSimpleMethods(int& failures)
   TestNeighborhoodSettings<Bilateral>(failures);
   Changes<Bilateral> bilateral(nullptr, Cloud());
   CHECK(bilateral([](Bilateral* f) { f->SetSpatialScale(0.7); }));
-  CHECK(bilateral([](Bilateral* f) { f->SetSpatialScale(0.0); }));
+  CHECK(bilateral([](Bilateral* f) { f->SetSpatialScale(-1.0); }));
   CHECK(bilateral([](Bilateral* f) { f->SetHeightScale(0.4); }));
   CHECK(bilateral([](Bilateral* f) { f->LocalScaleOn(); }));
   CHECK(bilateral([](Bilateral* f) { f->FitNormalsOff(); }));
@@ -61,7 +61,7 @@ void TestSimpleMethods(int& failures)
   CHECK(rolling([](Rolling* f) { f->LocalScaleOn(); }));
   CHECK(rolling([](Rolling* f) { f->SetNumberOfRolls(6); }));
   CHECK(rolling([](Rolling* f) { f->SetNumberOfPointIterations(6); }));
-  CHECK(rolling([](Rolling* f) { f->SetNumberOfPointIterations(0); }));
+  CHECK(rolling([](Rolling* f) { f->SetNumberOfPointIterations(-1); }));
   Changes<Rolling> signs([](Rolling* f) { f->SetNormalOrientationToKeep(); }, CloudWithNormals());
   CHECK(signs([](Rolling* f) { f->UnorientedNormalsOn(); }));
   CHECK(signs([](Rolling* f) { f->SetNormalOrientationToSpanningTree(); }));

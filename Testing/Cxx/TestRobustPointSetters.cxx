@@ -23,7 +23,7 @@ void TestUpdateSettings(Changes<Filter>& changes, int& failures)
 {
   vtkNew<Filter> defaults;
   CHECK(changes([](Filter* f) { f->SetNumberOfPointIterations(13); }));
-  CHECK(changes([](Filter* f) { f->SetNumberOfPointIterations(0); }));
+  CHECK(changes([](Filter* f) { f->SetNumberOfPointIterations(-1); }));
   for (int scheme = Filter::OWN_HEIGHT; scheme <= Filter::QUADRIC_FIT; ++scheme)
   {
     CHECK(changes([=](Filter* f) { f->SetPositionScheme(scheme); }) ==
@@ -42,7 +42,7 @@ void TestUpdateSettings(Changes<Filter>& changes, int& failures)
   CHECK(changes([](Filter* f) { f->SetPositionStep(0.5); }));
   CHECK(changes([](Filter* f) { f->SetPositionRangeScale(0.5); }));
   CHECK(changes([](Filter* f) { f->SetPositionSpatialScale(2.0); }));
-  CHECK(changes([](Filter* f) { f->SetPositionSpatialScale(0.0); }));
+  CHECK(changes([](Filter* f) { f->SetPositionSpatialScale(-1.0); }));
   CHECK(changes([](Filter* f) { f->PositionIncludeOwnOn(); }));
   CHECK(changes([](Filter* f) { f->DensityWeightsOn(); }));
   CHECK(changes([](Filter* f) { f->LocalScaleOn(); }));
@@ -80,9 +80,9 @@ void TestComposer(int& failures)
   CHECK(robust([](Robust* f) { f->SetRangeScale(0.5); }));
   CHECK(robust([](Robust* f) { f->SetRangeScale(0.0); }));
   CHECK(robust([](Robust* f) { f->SetSpatialScale(2.0); }));
-  CHECK(robust([](Robust* f) { f->SetSpatialScale(0.0); }));
+  CHECK(robust([](Robust* f) { f->SetSpatialScale(-1.0); }));
   CHECK(robust([](Robust* f) { f->SetNumberOfNormalIterations(7); }));
-  CHECK(robust([](Robust* f) { f->SetNumberOfNormalIterations(0); }));
+  CHECK(robust([](Robust* f) { f->SetNumberOfNormalIterations(-1); }));
   CHECK(robust([](Robust* f) { f->SetDataSourceToOriginal(); }));
   CHECK(robust([](Robust* f) { f->IncludeOwnOff(); }));
   Changes<Robust> quadric([](Robust* f) { f->SetPositionSchemeToQuadricFit(); }, Cloud());
@@ -115,14 +115,14 @@ void TestRanges(int& failures)
   CHECK(Clamps(base, &Base::SetNormalSource, &Base::GetNormalSource, 99, 3));
   CHECK(Clamps(base, &Base::SetNormalSource, &Base::GetNormalSource, -1, 0));
   CHECK(Clamps(base, &Base::SetNormalOrientation, &Base::GetNormalOrientation, 99, 2));
-  CHECK(Clamps(base, &Base::SetNumberOfNormalNeighbors, &Base::GetNumberOfNormalNeighbors, -5, 3));
-  CHECK(Clamps(base, &Base::SetNumberOfOuterIterations, &Base::GetNumberOfOuterIterations, -5, 0));
+  CHECK(Clamps(base, &Base::SetNumberOfNormalNeighbors, &Base::GetNumberOfNormalNeighbors, -5, 0));
+  CHECK(Clamps(base, &Base::SetNumberOfOuterIterations, &Base::GetNumberOfOuterIterations, -5, -1));
   CHECK(Clamps(base, &Base::SetMaximumDisplacement, &Base::GetMaximumDisplacement, -1.0, 0.0));
   CHECK(Clamps(base, &Base::SetNumberOfThreads, &Base::GetNumberOfThreads, -1, 0));
   using Neighbors = vtkPointNeighborhoodFilter;
   Neighbors* neighbors = robust;
   CHECK(
-    Clamps(neighbors, &Neighbors::SetNumberOfNeighbors, &Neighbors::GetNumberOfNeighbors, 0, 3));
+    Clamps(neighbors, &Neighbors::SetNumberOfNeighbors, &Neighbors::GetNumberOfNeighbors, -2, 0));
   CHECK(Clamps(neighbors, &Neighbors::SetRadius, &Neighbors::GetRadius, -2.0, 0.0));
 
   // Numbers beyond all clouds are allowed and do no harm.

@@ -130,7 +130,7 @@ def check_point_methods(truth):
         assert "DenoisingReport" in result.FieldData.keys(), result.GetXMLName()
 
     # Normals of one filter, and the update alone.
-    normals = RobustPointNormalFilter(Input=cloud, NumberOfPointIterations=0)
+    normals = RobustPointNormalFilter(Input=cloud, NumberOfPointIterations=-1)
     both = NormalPointUpdate(Input=normals)
     assert both.NormalSource == "Input" and list(both.StartNormals) == ["POINTS", "None"], (
         both.NormalSource, both.StartNormals)
@@ -173,7 +173,7 @@ def check(truth):
     assert mean_angle(normals, noisy) == 0.0
 
     # Start normals from another array; by default not even FilteredNormals is taken.
-    again = RobustNormalFilter(Input=normals, NumberOfNormalIterations=0)
+    again = RobustNormalFilter(Input=normals, NumberOfNormalIterations=-1)
     assert again.StartNormals[1] == "None", again.StartNormals
     again.StartNormals = ["CELLS", "FilteredNormals"]
     difference = mean_angle(again, bilateral)

@@ -31,6 +31,13 @@ CONTEXTS = {
         {"NumberOfVertexIterations": 20, "RangeScale": 10.0}],
     "vtkGeometricFidelityNormalFilter.PreventFlips": [
         {"NumberOfVertexIterations": 20, "RangeScale": 10.0}],
+    "StopAtNoise": [{"NumberOfOuterIterations": 40}],
+    "vtkCurvatureNormalDiffusionFilter.StopAtNoise": [
+        {"NumberOfOuterIterations": 40, "RangeScale": 10.0}],
+    "vtkGeometricFidelityNormalFilter.StopAtNoise": [
+        {"NumberOfOuterIterations": 40, "RangeScale": 10.0}],
+    "vtkNormalVotingTensorFilter.StopAtNoise": [
+        {"NumberOfOuterIterations": 40, "RangeScale": 180.0, "TensorThreshold": 0.9}],
     "vtkBilateralNormalFilter.Fidelity": [{"Scheme": 1}],
     "vtkBilateralNormalFilter.AreaEnergy": [{"Scheme": 1}],
     "EdgeRepetitions": [{"MedianType": 1}],

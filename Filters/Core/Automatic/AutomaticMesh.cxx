@@ -125,6 +125,17 @@ bool FindRisks(const std::vector<const CandidateChain*>& candidates, ChainRisk& 
 
 }
 
+bool IsNoisy(const SurfaceNoise& noise, double strength)
+{
+  return strength * noise.Level >= LeastLevel;
+}
+
+double AssumedDeviation(const SurfaceNoise& noise, double foldedShare, double strength)
+{
+  const double caution = foldedShare > StronglyFolded ? CautionIfFolded : Caution(noise.Level);
+  return caution * strength * noise.Deviation;
+}
+
 bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, AutomaticPlan& plan,
   Execution& execution)
 {
@@ -132,7 +143,7 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, 
   const double strength = settings.CheckedStrength();
   const MeshSample sample = SampleOf(mesh, execution);
   plan.Noise = EstimateNoise(sample.Mesh, VertexStars(sample.Mesh), execution);
-  if (!(strength * plan.Noise.Level >= LeastLevel))
+  if (!IsNoisy(plan.Noise, strength))
   {
     plan.Reason = strength > 0.0 ? Describe(plan.Noise) + " is none to speak of: nothing to do"
                                  : "A strength of 0: nothing to do";
@@ -141,8 +152,7 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, 
   ProgressShare start(execution, 0.0, 0.05);
   ChainRisk risk(sample, PilotChain(), start);
   const bool folded = risk.FoldedShare() > StronglyFolded;
-  const double assumed =
-    (folded ? CautionIfFolded : Caution(plan.Noise.Level)) * strength * plan.Noise.Deviation;
+  const double assumed = AssumedDeviation(plan.Noise, risk.FoldedShare(), strength);
   risk.Assume(assumed, start);
   std::vector<const CandidateChain*> candidates;
   for (const CandidateChain& chain : CandidateChains())

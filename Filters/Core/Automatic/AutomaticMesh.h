@@ -49,6 +49,13 @@ struct AutomaticReport
   double DenoiseSeconds = 0.0;
 };
 
+/// False if there is no noise that could be told from the shape of a coarse mesh.
+bool IsNoisy(const SurfaceNoise& noise, double strength = 1.0);
+
+/// The deviation of the noise to assume, a length: somewhat more than was found. foldedShare is
+/// that of ChainRisk.
+double AssumedDeviation(const SurfaceNoise& noise, double foldedShare, double strength = 1.0);
+
 /**
  * Finds the plan for a mesh without seams and with faces that agree on outside (see PreparedMesh).
  * Returns false if the execution asked to stop.

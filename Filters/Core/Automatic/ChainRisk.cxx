@@ -181,14 +181,23 @@ Vec3 ChainRisk::Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size
 
 bool ChainRisk::Of(const MethodChain& chain, GroupRisks& risks, Execution& execution)
 {
+  return this->Of(
+    [&](TriangleMesh& mesh, Execution& share)
+    {
+      Buffer<Vec3> normals;
+      MeshDenoisingReport report;
+      return RunChain(mesh, chain, normals, report, share);
+    },
+    risks, execution);
+}
+
+bool ChainRisk::Of(const MeshOperation& operation, GroupRisks& risks, Execution& execution)
+{
   TriangleMesh plus = this->Plus;
   TriangleMesh minus = this->Minus;
-  Buffer<Vec3> normals;
-  MeshDenoisingReport report;
   ProgressShare first(execution, 0.0, 0.5);
   ProgressShare second(execution, 0.5, 1.0);
-  if (!RunChain(plus, chain, normals, report, first) ||
-    !RunChain(minus, chain, normals, report, second))
+  if (!operation(plus, first) || !operation(minus, second))
   {
     return false;
   }

@@ -28,6 +28,8 @@
 #include "../MeshDenoising.h"
 #include "MeshSample.h"
 
+#include <functional>
+
 namespace SurfaceDenoising
 {
 
@@ -38,6 +40,9 @@ using MethodChain = std::vector<MeshDenoisingSettings>;
 /// execution asked to stop.
 bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Buffer<Vec3>& normals,
   MeshDenoisingReport& report, Execution& execution);
+
+/// What moves the vertices of a mesh. Returns false if the execution asked to stop.
+using MeshOperation = std::function<bool(TriangleMesh& mesh, Execution& execution)>;
 
 /// Risks of the groups of faces, in units of the noise of the input.
 constexpr std::size_t RiskGroups = 8;
@@ -66,6 +71,9 @@ public:
    * input. Returns false if the execution asked to stop.
    */
   bool Of(const MethodChain& chain, GroupRisks& risks, Execution& execution);
+
+  /// The same after any other operation.
+  bool Of(const MeshOperation& operation, GroupRisks& risks, Execution& execution);
 
   /**
    * The mean square of what the last chain took away from the flattest group, over that of the

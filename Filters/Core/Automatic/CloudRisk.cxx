@@ -73,12 +73,13 @@ Buffer<unsigned char> ChooseSample(const Buffer<Vec3>& points, const Buffer<Inde
 
 }
 
-CloudRisk::CloudRisk(const Buffer<Vec3>& points, double spacing, double deviation,
-  std::size_t parts, Execution& execution)
+CloudRisk::CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, double spacing,
+  double deviation, std::size_t parts, Execution& execution)
   : Deviation(deviation)
   , Step(std::max(0.5 * deviation, 1e-4 * spacing))
 {
-  const Buffer<Vec3> ordered = Gather(points, FindPointOrder(points, {}, execution));
+  const Buffer<Index> order = FindPointOrder(points, {}, execution);
+  const Buffer<Vec3> ordered = Gather(points, order);
   const Vec3 mean = MeanOf(ordered, execution);
   const Buffer<Index> ranked = RankByDistance(ordered, mean);
   const Buffer<unsigned char> chosen = ChooseSample(ordered, ranked, parts);
@@ -89,6 +90,10 @@ CloudRisk::CloudRisk(const Buffer<Vec3>& points, double spacing, double deviatio
     {
       numbers[i] = static_cast<Index>(this->Sample.size());
       this->Sample.push_back(ordered[i]);
+      if (!normals.empty())
+      {
+        this->Normals.push_back(normals[order[i]]);
+      }
     }
   }
   const NeighborGraph nearest = NearestPoints(this->Sample, NormalNeighbors, execution);
@@ -117,6 +122,7 @@ Buffer<Vec3> CloudRisk::Run(const PointDenoisingSettings& settings, Buffer<Vec3>
 {
   PointCloud cloud;
   cloud.Positions = std::move(positions);
+  cloud.Normals = this->Normals;
   PointDenoisingReport report;
   return DenoisePoints(cloud, settings, report, execution) ? std::move(cloud.Positions)
                                                            : Buffer<Vec3>();

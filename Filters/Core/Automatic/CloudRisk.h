@@ -40,7 +40,14 @@ public:
    * must be finite. spacing and deviation are lengths.
    */
   CloudRisk(const Buffer<Vec3>& points, double spacing, double deviation, std::size_t parts,
-    Execution& execution);
+    Execution& execution)
+    : CloudRisk(points, {}, spacing, deviation, parts, execution)
+  {
+  }
+
+  /// The same with normals that methods may start from, one per point or none.
+  CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, double spacing,
+    double deviation, std::size_t parts, Execution& execution);
 
   /// Points that are judged. With few, say below 50, risks mean little.
   std::size_t NumberOfJudged() const { return this->Judged; }
@@ -59,6 +66,7 @@ private:
   double Deviation;
   double Step; ///< e
   Buffer<Vec3> Sample;
+  Buffer<Vec3> Normals;    ///< that came with the points, if any
   Buffer<Vec3> Directions; ///< h_i n_i; zero for points that are not judged
   std::size_t Judged = 0;
 };

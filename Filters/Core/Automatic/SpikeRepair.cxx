@@ -98,7 +98,7 @@ bool RepairSpikes(TriangleMesh& mesh, const CompressedRows& stars, const EdgeCen
       const double next = (round + double(outer + 1) / OuterIterations) / Rounds;
       normals.clear();
       filter.Renew(normals, execution);
-      if (!filter.Run(normals, execution, done, next) ||
+      if (!filter.Run(normals, {}, execution, done, next) ||
         !update.Run(mesh.Positions, normals, 2, execution, next, next))
       {
         return false;

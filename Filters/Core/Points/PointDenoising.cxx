@@ -130,6 +130,11 @@ public:
         return false;
       }
       this->KeepLonely(normals);
+      ++this->Report.OuterIterations;
+      if (this->Settings.Residual > 0.0 && this->Residual() >= this->Settings.Residual)
+      {
+        break;
+      }
     }
     static_cast<PointOperatorReport&>(this->Report) = filter->Report();
     return true;
@@ -219,6 +224,17 @@ private:
       points.Neighbors = std::move(nearest);
     }
     return execution.Proceed(fraction);
+  }
+
+  double Residual() const
+  {
+    const PointSet& points = this->Points;
+    Buffer<double> heights(points.Size());
+    for (std::size_t i = 0; i < points.Size(); ++i)
+    {
+      heights[i] = std::abs(points.Normals[i].dot(points.Positions[i] - points.Start[i]));
+    }
+    return RobustScale(heights, ScaleEstimator::HalfNormal);
   }
 
   /// Normals before an iteration, if there are points that no iteration may touch.

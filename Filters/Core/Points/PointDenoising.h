@@ -41,6 +41,9 @@ struct PointDenoisingSettings
   bool LocalScale = false;          ///< lengths are relative to the spacing around each point
   double MaximumDisplacement = 0.0; ///< from the start, in mean spacings; 0: as far as it goes
   int OuterIterations = 1;
+  /// Iterations end once the points moved that far along their normals: standard deviation, told
+  /// from the median, a length; 0: never.
+  double Residual = 0.0;
   PointOperatorSettings Operator;
 };
 
@@ -52,6 +55,7 @@ struct PointDenoisingReport : PointOperatorReport
   std::size_t EstimatedNormals = 0; ///< by plane fits
   bool Oriented = false;            ///< along a spanning tree
   std::size_t Parts = 0;            ///< connected parts of the spanning tree
+  int OuterIterations = 0;          ///< done
   std::size_t Kept = 0;             ///< points that the last iteration could not filter
   double SetupSeconds = 0.0;        ///< neighbours, normals, signs
   double FilterSeconds = 0.0;

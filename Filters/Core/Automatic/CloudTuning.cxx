@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CloudTuning.h"
+
+#include "../Points/InterruptedExecution.h"
+#include "../SpatialOrder.h"
+#include "../Stopwatch.h"
+#include "CloudNoise.h"
+#include "CloudRisk.h"
+
+#include <cmath>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// Parts of the cloud that values are tried on.
+constexpr std::size_t TrialParts = 5;
+/// Risks are that uncertain with as few points.
+constexpr std::size_t FewestJudged = 50;
+/// Noise below this, in spacings, is none.
+constexpr double LeastLevel = 1e-4;
+
+bool EstimateNoise(const PointCloud& cloud, CloudNoise& noise, CloudTuningReport& report,
+  Execution& execution)
+{
+  InterruptedExecution measuring(execution, 0.0);
+  noise = EstimateNoise(cloud.Positions, measuring);
+  report.Spacing = noise.Spacing;
+  report.Deviation = noise.Deviation;
+  report.NoNoiseFound = !(noise.Level() > LeastLevel);
+  return measuring.Proceed(0.0) && execution.Proceed(0.0);
+}
+
+class CloudJudge : public OpenSettings::Judge
+{
+public:
+  CloudJudge(const CloudRisk& risk, const PointDenoisingSettings& settings)
+    : Risk(risk)
+    , Settings(settings)
+  {
+  }
+
+  bool Try(Execution& execution) override
+  {
+    InterruptedExecution trial(execution, 0.0);
+    const double risk = this->Risk.Of(this->Settings, trial);
+    this->Risks.push_back(std::isfinite(risk) ? risk : 1e300);
+    return trial.Proceed(0.0) && execution.Proceed(1.0);
+  }
+
+  std::size_t Best() const override
+  {
+    return std::size_t(
+      std::min_element(this->Risks.begin(), this->Risks.end()) - this->Risks.begin());
+  }
+
+private:
+  const CloudRisk& Risk;
+  const PointDenoisingSettings& Settings;
+  std::vector<double> Risks;
+};
+
+}
+
+bool MeasureNoise(const PointCloud& cloud, CloudTuningReport& report, Execution& execution)
+{
+  CloudNoise noise;
+  return EstimateNoise(cloud, noise, report, execution);
+}
+
+bool TuneForCloud(const PointCloud& cloud, OpenSettings& open,
+  const PointDenoisingSettings& settings, CloudTuningReport& report, Execution& execution)
+{
+  report = CloudTuningReport();
+  const Stopwatch stopwatch(report.Seconds);
+  CloudNoise noise;
+  if (!EstimateNoise(cloud, noise, report, execution))
+  {
+    return false;
+  }
+  if (!report.NoNoiseFound)
+  {
+    Buffer<Index> inliers;
+    for (std::size_t i = 0; i < cloud.Positions.size(); ++i)
+    {
+      if (cloud.Positions[i].allFinite() && noise.Outliers[i] == 0)
+      {
+        inliers.push_back(static_cast<Index>(i));
+      }
+    }
+    const CloudRisk risk(Gather(cloud.Positions, inliers),
+      cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, inliers), noise.Spacing,
+      noise.Deviation, TrialParts, execution);
+    report.NoNoiseFound = risk.NumberOfJudged() < FewestJudged;
+    CloudJudge judge(risk, settings);
+    if (!report.NoNoiseFound && !open.Search(judge, execution))
+    {
+      return false;
+    }
+  }
+  open.Keep();
+  return execution.Proceed(1.0);
+}
+
+}
