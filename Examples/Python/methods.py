@@ -15,7 +15,16 @@ from collections import namedtuple
 # then      further filters after it: pairs of a proxy and its settings, by family as above
 Method = namedtuple("Method", "proxy caption paper settings then", defaults=((),))
 
-FAMILIES = ("default", "cad", "organic")
+#
+# "automatic" is no family: all that OPEN names is chosen from the data.
+FAMILIES = ("default", "cad", "organic", "automatic")
+
+# Properties of which 0 means that the value is chosen from the data.
+OPEN = {"RangeScale", "SpatialScale", "Radius", "HeightScale", "NormalAngle", "AngleThreshold",
+        "FilterScale", "NormalScale", "Range", "PositionRangeScale", "PositionSpatialScale",
+        "TimeStep", "EdgeThreshold", "NumberOfRolls", "NumberOfNeighbors",
+        "NumberOfNormalNeighbors", "NumberOfIterations", "NumberOfOuterIterations",
+        "NumberOfNormalIterations", "NumberOfVertexIterations", "NumberOfPointIterations"}
 
 # Tukey's norm weighs the normals as max(0, n . n' - T)^2 does: the scale is sqrt(2 (1 - T)).
 COSINE = {"Norm": "Tukey", "ScaleSource": "Given", "RangeScale": 1.0, "SpatialScale": -1.0,
@@ -214,7 +223,7 @@ def settings_for(settings, family):
 
 def make_filters(method, family, surface, overrides=None):
     """The last of the filters of a method, none of which has been executed. Overrides are settings
-    of the first."""
+    of the first, and not for what is automatic."""
     from paraview import simple  # here, since the list is of use without ParaView
     settings = {**settings_for(method.settings, family), **(overrides or {})}
     for proxy, values in [(method.proxy, settings)] + [
@@ -223,6 +232,9 @@ def make_filters(method, family, surface, overrides=None):
         if not make:
             raise ValueError("there is no filter {}".format(proxy))
         surface = make(Input=surface, **values)
+        if family == "automatic" and not is_peer(method):
+            for name in OPEN & set(surface.ListProperties()):
+                setattr(surface, name, 0)
     return surface
 
 

@@ -25,7 +25,7 @@ vtkOneStageFilter::Method vtkBilateralVertexFilter::Configure()
   }
   const auto settings = std::make_shared<sd::BilateralVerticesSettings>();
   this->Open->Take("NumberOfIterations", this->NumberOfIterations, settings->Iterations);
-  this->Open->Take("SpatialScale", this->SpatialScale, settings->SpatialScale, 1.0, 0.0, 0.0, 3.0);
+  this->Open->TakeRadius("SpatialScale", this->SpatialScale, settings->SpatialScale, 3.0);
   this->Open->Take("RangeScale", this->RangeScale, settings->RangeScale);
   settings->FixBoundary = this->FixBoundary;
   return [settings](sd::PreparedMesh& prepared, sd::Execution& execution)

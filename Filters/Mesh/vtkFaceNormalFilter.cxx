@@ -49,7 +49,7 @@ void vtkFaceNormalFilter::TakeRadius(double property, double& radius)
 {
   // Larger ones take minutes.
   constexpr double most = 6.0;
-  this->Open->Take("Radius", property, radius, 1.0, 0.0, 0.0, most);
+  this->Open->TakeRadius("Radius", property, radius, most);
 }
 
 void vtkFaceNormalFilter::TakeSchedule(const sd::MeshDenoisingSettings& settings)

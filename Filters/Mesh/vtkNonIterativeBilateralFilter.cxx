@@ -24,7 +24,7 @@ vtkOneStageFilter::Method vtkNonIterativeBilateralFilter::Configure()
     return nullptr;
   }
   const auto settings = std::make_shared<sd::NonIterativeBilateralSettings>();
-  this->Open->Take("SpatialScale", this->SpatialScale, settings->SpatialScale, 1.0, 0.0, 0.0, 4.0);
+  this->Open->TakeRadius("SpatialScale", this->SpatialScale, settings->SpatialScale, 4.0);
   this->Open->Take("RangeScale", this->RangeScale, settings->RangeScale);
   settings->FixBoundary = this->FixBoundary;
   return [settings](sd::PreparedMesh& prepared, sd::Execution& execution)

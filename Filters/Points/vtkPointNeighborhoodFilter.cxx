@@ -48,7 +48,7 @@ void vtkPointNeighborhoodFilter::Configure(sd::PointDenoisingSettings& settings)
   else
   {
     // Larger balls take minutes.
-    this->Open->Take("Radius", this->Radius, settings.Neighborhood.Radius, 1.0, 0.0, 0.0, 8.0);
+    this->Open->TakeRadius("Radius", this->Radius, settings.Neighborhood.Radius, 8.0);
   }
   settings.Neighborhood.MaximumCount = this->MaximumNumberOfNeighbors;
   settings.RenewNeighborhood = this->RenewNeighborhood;

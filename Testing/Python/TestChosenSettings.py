@@ -7,20 +7,19 @@ moves."""
 
 import inspect
 import math
+import os
+import sys
 
 import numpy
 import surfacedenoising
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 
 # What the data choose, where a class has it.
-OPEN = {"RangeScale", "SpatialScale", "Radius", "HeightScale", "NormalAngle", "AngleThreshold",
-        "FilterScale", "NormalScale", "Range", "PositionRangeScale", "PositionSpatialScale",
-        "TimeStep", "EdgeThreshold", "NumberOfRolls", "NumberOfNeighbors",
-        "NumberOfNormalNeighbors", "NumberOfIterations", "NumberOfOuterIterations",
-        "NumberOfNormalIterations", "NumberOfVertexIterations", "NumberOfPointIterations"}
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../Examples/Python"))
+from methods import OPEN  # noqa: E402
 
 # Ways to use a class, beside its defaults, and settings that do not count then.
 VARIANTS = {

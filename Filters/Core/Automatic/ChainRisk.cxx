@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -240,7 +241,9 @@ bool ChainRisk::Of(const MeshOperation& operation, GroupRisks& risks, Execution&
   return true;
 }
 
-std::size_t LeastRisk(const std::vector<GroupRisks>& risks)
+std::size_t LeastRisk(const std::vector<GroupRisks>& risks) { return RankRisks(risks).front(); }
+
+std::vector<std::size_t> RankRisks(const std::vector<GroupRisks>& risks)
 {
   std::vector<double> sums(risks.size(), 0.0);
   for (std::size_t g = 0; g < RiskGroups; ++g)
@@ -255,7 +258,11 @@ std::size_t LeastRisk(const std::vector<GroupRisks>& risks)
       sums[k] += std::sqrt(risks[k][g] - least + Softening);
     }
   }
-  return std::size_t(std::min_element(sums.begin(), sums.end()) - sums.begin());
+  std::vector<std::size_t> order(risks.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return sums[a] < sums[b]; });
+  return order;
 }
 
 }

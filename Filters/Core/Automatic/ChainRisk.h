@@ -113,6 +113,9 @@ private:
  */
 std::size_t LeastRisk(const std::vector<GroupRisks>& risks);
 
+/// The numbers of the risks in that order, the best first.
+std::vector<std::size_t> RankRisks(const std::vector<GroupRisks>& risks);
+
 }
 
 #endif

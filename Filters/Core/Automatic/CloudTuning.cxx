@@ -8,8 +8,10 @@
 #include "../Stopwatch.h"
 #include "CloudNoise.h"
 #include "CloudRisk.h"
+#include "ProgressShare.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -17,8 +19,9 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// Parts of the cloud that values are tried on.
+/// Parts of the cloud that values are tried on, and those that the best are confirmed on.
 constexpr std::size_t TrialParts = 5;
+constexpr std::size_t FineParts = 15;
 /// Risks are that uncertain with as few points.
 constexpr std::size_t FewestJudged = 50;
 /// Noise below this, in spacings, is none.
@@ -52,10 +55,13 @@ public:
     return trial.Proceed(0.0) && execution.Proceed(1.0);
   }
 
-  std::size_t Best() const override
+  std::vector<std::size_t> Ranking() const override
   {
-    return std::size_t(
-      std::min_element(this->Risks.begin(), this->Risks.end()) - this->Risks.begin());
+    std::vector<std::size_t> order(this->Risks.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+      [&](std::size_t a, std::size_t b) { return this->Risks[a] < this->Risks[b]; });
+    return order;
   }
 
 private:
@@ -92,14 +98,27 @@ bool TuneForCloud(const PointCloud& cloud, OpenSettings& open,
         inliers.push_back(static_cast<Index>(i));
       }
     }
-    const CloudRisk risk(Gather(cloud.Positions, inliers),
-      cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, inliers), noise.Spacing,
-      noise.Deviation, TrialParts, execution);
-    report.NoNoiseFound = risk.NumberOfJudged() < FewestJudged;
-    CloudJudge judge(risk, settings);
-    if (!report.NoNoiseFound && !open.Search(judge, execution))
+    const Buffer<Vec3> points = Gather(cloud.Positions, inliers);
+    const Buffer<Vec3> normals =
+      cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, inliers);
+    const CloudRisk rough(points, normals, noise.Spacing, noise.Deviation, TrialParts, execution);
+    report.NoNoiseFound = rough.NumberOfJudged() < FewestJudged;
+    if (!report.NoNoiseFound)
     {
-      return false;
+      CloudJudge first(rough, settings);
+      ProgressShare searching(execution, 0.0, 0.7);
+      if (!open.Search(first, searching))
+      {
+        return false;
+      }
+      const CloudRisk fine(points, normals, noise.Spacing, noise.Deviation, FineParts, execution);
+      CloudJudge second(fine, settings);
+      ProgressShare confirming(execution, 0.7, 1.0);
+      if (fine.NumberOfPoints() > rough.NumberOfPoints() &&
+        !open.Confirm(first, second, confirming))
+      {
+        return false;
+      }
     }
   }
   open.Keep();

@@ -14,19 +14,19 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// Faces that values are tried on, each of them twice.
+/// Faces that values are tried on, each of them twice, and those that the best are confirmed on.
 constexpr std::size_t TrialFaces = 5000;
+constexpr std::size_t FineFaces = 16000;
 
-/// A sample of a mesh as it comes.
-bool SampleAsPrepared(const TriangleMesh& mesh, MeshSample& sample, Execution& execution)
+/// The repaired mesh.
+bool Repair(TriangleMesh& mesh, Execution& execution)
 {
-  TriangleMesh copy = mesh;
-  PreparedMesh prepared(copy);
+  PreparedMesh prepared(mesh);
   if (!prepared.Prepare(execution))
   {
     return false;
   }
-  sample = TakeSample(prepared.Mesh(), TrialFaces, execution);
+  mesh = TriangleMesh(prepared.Mesh());
   return true;
 }
 
@@ -45,7 +45,7 @@ public:
     return this->Risk.Of(this->Operation, this->Risks.back(), execution);
   }
 
-  std::size_t Best() const override { return LeastRisk(this->Risks); }
+  std::vector<std::size_t> Ranking() const override { return RankRisks(this->Risks); }
 
 private:
   ChainRisk& Risk;
@@ -57,11 +57,12 @@ private:
 
 bool MeasureNoise(const TriangleMesh& mesh, SurfaceNoise& noise, Execution& execution)
 {
-  MeshSample sample;
-  if (!SampleAsPrepared(mesh, sample, execution))
+  TriangleMesh repaired = mesh;
+  if (!Repair(repaired, execution))
   {
     return false;
   }
+  const MeshSample sample = TakeSample(repaired, FineFaces, execution);
   noise = EstimateNoise(sample.Mesh, VertexStars(sample.Mesh), execution);
   return true;
 }
@@ -71,19 +72,29 @@ bool TuneForMesh(const TriangleMesh& mesh, OpenSettings& open, const MeshOperati
 {
   report = MeshTuningReport();
   const Stopwatch stopwatch(report.Seconds);
-  MeshSample sample;
-  if (!SampleAsPrepared(mesh, sample, execution))
+  TriangleMesh repaired = mesh;
+  if (!Repair(repaired, execution))
   {
     return false;
   }
-  report.Noise = EstimateNoise(sample.Mesh, VertexStars(sample.Mesh), execution);
+  const MeshSample large = TakeSample(repaired, FineFaces, execution);
+  report.Noise = EstimateNoise(large.Mesh, VertexStars(large.Mesh), execution);
   report.NoNoiseFound = !IsNoisy(report.Noise);
   if (!report.NoNoiseFound)
   {
-    ChainRisk risk(sample, PilotChain(), execution);
-    risk.Assume(AssumedDeviation(report.Noise, risk.FoldedShare()), execution);
-    MeshJudge judge(risk, method);
-    if (!open.Search(judge, execution))
+    const MeshSample small = TakeSample(repaired, TrialFaces, execution);
+    ChainRisk fine(large, PilotChain(), execution);
+    ChainRisk rough(small, PilotChain(), execution);
+    const double deviation = AssumedDeviation(report.Noise, fine.FoldedShare());
+    fine.Assume(deviation, execution);
+    rough.Assume(deviation, execution);
+    MeshJudge first(rough, method);
+    MeshJudge second(fine, method);
+    ProgressShare searching(execution, 0.0, 0.7);
+    ProgressShare confirming(execution, 0.7, 1.0);
+    if (!open.Search(first, searching) ||
+      (large.Mesh.NumberOfFaces() > small.Mesh.NumberOfFaces() &&
+        !open.Confirm(first, second, confirming)))
     {
       return false;
     }

@@ -14,112 +14,18 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// How far from where it started a setting may go, as a factor. What more iterations cost is time.
-constexpr double RealReach = 8.0;
-constexpr double CountReach = 4.0;
+/// How far from where it started a setting may go, as a factor.
+constexpr double Reach = 8.0;
+
+/// How much longer than at the start the method may take, as a factor.
+constexpr double MostCost = 4.0;
 
 /// Factors of the steps, first and second round.
 constexpr double RealSteps[] = { 1.5, 1.2 };
 constexpr double CountSteps[] = { 2.0, 1.4 };
 
-using Values = std::vector<double>;
-
-/// The search in progress.
-class Walk
-{
-public:
-  Walk(std::vector<OpenSetting>& settings, OpenSettings::Judge& judge, Execution& execution)
-    : Settings(settings)
-    , Verdict(judge)
-    , Exec(execution)
-    , Limit(6 + 4 * settings.size())
-  {
-  }
-
-  /// False if the execution asked to stop.
-  bool Run()
-  {
-    Values start;
-    for (const OpenSetting& setting : this->Settings)
-    {
-      start.push_back(setting.Get());
-    }
-    if (!this->Visit(start))
-    {
-      return false;
-    }
-    for (int round = 0; round < 2; ++round)
-    {
-      for (std::size_t s = 0; s < this->Settings.size(); ++s)
-      {
-        const std::size_t before = this->Verdict.Best();
-        if (!this->Follow(s, round, true) ||
-          (this->Verdict.Best() == before && !this->Follow(s, round, false)))
-        {
-          return false;
-        }
-      }
-    }
-    this->Enter(this->Tried[this->Verdict.Best()]);
-    return true;
-  }
-
-private:
-  void Enter(const Values& values)
-  {
-    for (std::size_t s = 0; s < values.size(); ++s)
-    {
-      this->Settings[s].Set(values[s]);
-    }
-  }
-
-  bool Visit(const Values& values)
-  {
-    this->Enter(values);
-    const double part = 1.0 / double(this->Limit);
-    const double done = double(this->Tried.size()) * part;
-    ProgressShare share(this->Exec, done, done + part);
-    this->Tried.push_back(values);
-    return this->Verdict.Try(share);
-  }
-
-  /// One setting in one direction, as long as it pays.
-  bool Follow(std::size_t s, int round, bool up)
-  {
-    const OpenSetting& setting = this->Settings[s];
-    while (this->Tried.size() < this->Limit)
-    {
-      Values next = this->Tried[this->Verdict.Best()];
-      const double factor = setting.Real ? RealSteps[round] : CountSteps[round];
-      const double old = next[s];
-      next[s] = up ? old * factor : old / factor;
-      if (setting.Count)
-      {
-        next[s] = up ? std::max(old + 1.0, std::round(next[s])) : std::floor(next[s]);
-      }
-      next[s] = std::min(setting.Most, std::max(setting.Least, next[s]));
-      if (std::find(this->Tried.begin(), this->Tried.end(), next) != this->Tried.end())
-      {
-        return true;
-      }
-      if (!this->Visit(next))
-      {
-        return false;
-      }
-      if (this->Verdict.Best() + 1 != this->Tried.size())
-      {
-        return true;
-      }
-    }
-    return true;
-  }
-
-  std::vector<OpenSetting>& Settings;
-  OpenSettings::Judge& Verdict;
-  Execution& Exec;
-  const std::size_t Limit;
-  std::vector<Values> Tried;
-};
+/// Tries that are confirmed, beside the start.
+constexpr std::size_t MostConfirmed = 4;
 
 }
 
@@ -139,8 +45,19 @@ void OpenSetting::Set(double value)
   }
 }
 
+double OpenSetting::Next(double value, int round, bool up) const
+{
+  const double factor = this->Real ? RealSteps[round] : CountSteps[round];
+  double next = up ? value * factor : value / factor;
+  if (this->Count)
+  {
+    next = up ? std::max(value + 1.0, std::round(next)) : std::floor(next);
+  }
+  return std::min(this->Most, std::max(this->Least, next));
+}
+
 void OpenSettings::Take(const char* name, double value, double& setting, double unit, double least,
-  double start, double most)
+  double start)
 {
   if (value != 0.0)
   {
@@ -152,8 +69,9 @@ void OpenSettings::Take(const char* name, double value, double& setting, double 
   open.Name = name;
   open.Real = &setting;
   open.Unit = unit;
-  open.Least = std::max(least, setting / RealReach);
-  open.Most = most > 0.0 ? std::min(most, setting * RealReach) : setting * RealReach;
+  open.Start = setting;
+  open.Least = std::max(least, setting / Reach);
+  open.Most = setting * Reach;
   this->Settings.push_back(open);
 }
 
@@ -168,9 +86,21 @@ void OpenSettings::Take(const char* name, int value, int& setting, int least)
   OpenSetting open;
   open.Name = name;
   open.Count = &setting;
-  open.Least = std::max(double(least), std::floor(setting / CountReach));
-  open.Most = setting * CountReach;
+  open.Power = 1.0;
+  open.Start = setting;
+  open.Least = std::max(double(least), std::floor(setting / Reach));
+  open.Most = setting * Reach;
   this->Settings.push_back(open);
+}
+
+void OpenSettings::TakeRadius(const char* name, double value, double& setting, double most)
+{
+  this->Take(name, value, setting);
+  if (value == 0.0)
+  {
+    this->Settings.back().Power = 2.0;
+    this->Settings.back().Most = most;
+  }
 }
 
 void OpenSettings::TakeSpatial(const char* name, double value, double& setting, double least)
@@ -219,9 +149,110 @@ void OpenSettings::Keep()
   }
 }
 
+double OpenSettings::Cost(const Values& values) const
+{
+  double cost = 1.0;
+  for (std::size_t s = 0; s < values.size(); ++s)
+  {
+    cost *= std::pow(values[s] / this->Settings[s].Start, this->Settings[s].Power);
+  }
+  return cost;
+}
+
+OpenSettings::Values OpenSettings::Get() const
+{
+  Values values;
+  for (const OpenSetting& setting : this->Settings)
+  {
+    values.push_back(setting.Get());
+  }
+  return values;
+}
+
+void OpenSettings::Set(const Values& values)
+{
+  for (std::size_t s = 0; s < values.size(); ++s)
+  {
+    this->Settings[s].Set(values[s]);
+  }
+}
+
 bool OpenSettings::Search(Judge& judge, Execution& execution)
 {
-  return Walk(this->Settings, judge, execution).Run();
+  const std::size_t limit = 6 + 4 * this->Settings.size();
+  auto visit = [&](const Values& values)
+  {
+    const double part = 1.0 / double(limit);
+    const double done = double(this->Tried.size()) * part;
+    ProgressShare share(execution, done, done + part);
+    this->Set(values);
+    this->Tried.push_back(values);
+    return judge.Try(share);
+  };
+  // One setting in one direction, as long as it pays. False if the execution asked to stop.
+  auto follow = [&](std::size_t s, int round, bool up)
+  {
+    while (this->Tried.size() < limit)
+    {
+      Values next = this->Tried[judge.Ranking().front()];
+      next[s] = this->Settings[s].Next(next[s], round, up);
+      if (this->Cost(next) > MostCost ||
+        std::find(this->Tried.begin(), this->Tried.end(), next) != this->Tried.end())
+      {
+        return true;
+      }
+      if (!visit(next))
+      {
+        return false;
+      }
+      if (judge.Ranking().front() + 1 != this->Tried.size())
+      {
+        return true;
+      }
+    }
+    return true;
+  };
+  this->Tried.clear();
+  if (!visit(this->Get()))
+  {
+    return false;
+  }
+  for (int round = 0; round < 2; ++round)
+  {
+    for (std::size_t s = 0; s < this->Settings.size(); ++s)
+    {
+      const std::size_t before = judge.Ranking().front();
+      if (!follow(s, round, true) ||
+        (judge.Ranking().front() == before && !follow(s, round, false)))
+      {
+        return false;
+      }
+    }
+  }
+  this->Set(this->Tried[judge.Ranking().front()]);
+  return true;
+}
+
+bool OpenSettings::Confirm(const Judge& before, Judge& judge, Execution& execution)
+{
+  std::vector<std::size_t> again = before.Ranking();
+  again.resize(std::min(again.size(), MostConfirmed));
+  if (std::find(again.begin(), again.end(), std::size_t(0)) == again.end())
+  {
+    again.push_back(0);
+  }
+  for (std::size_t k = 0; k < again.size(); ++k)
+  {
+    ProgressShare share(execution, double(k) / double(again.size()),
+      double(k + 1) / double(again.size()));
+    this->Set(this->Tried[again[k]]);
+    if (!judge.Try(share))
+    {
+      return false;
+    }
+  }
+  this->Set(this->Tried[again[judge.Ranking().front()]]);
+  return true;
 }
 
 }

@@ -27,12 +27,17 @@ struct OpenSetting
   double* Tied = nullptr; ///< another setting that has the same value, if there is one
   int* Count = nullptr;   ///< where it is, if it is a count
   double Unit = 1.0;      ///< setting = value of the property * Unit
+  double Power = 0.0;     ///< time grows with that power of the setting
+  double Start = 0.0;     ///< where the search starts
   double Least = 0.0;     ///< of the setting
   double Most = 0.0;
   double Chosen = 0.0; ///< value of the property after the choice
 
   double Get() const { return this->Real ? *this->Real : double(*this->Count); }
   void Set(double value);
+
+  /// The value after this one in the first or second round (0 or 1) of the search.
+  double Next(double value, int round, bool up) const;
 };
 
 class OpenSettings
@@ -44,15 +49,17 @@ public:
   /**
    * Gives a setting the value of a property times the unit, or, if that is 0, opens it: the search
    * starts from the value that the setting has, or from start if that is not 0, and stays within a
-   * factor of 8 (counts: of 4). The setting must stay where it is until the search is over. least
-   * bounds values from below, given ones as well, most those of the search from above (0: no
-   * bound).
+   * factor of 8. The setting must stay where it is until the search is over. least bounds values
+   * from below, given ones as well.
    */
   void Take(const char* name, double value, double& setting, double unit = 1.0, double least = 0.0,
-    double start = 0.0, double most = 0.0);
+    double start = 0.0);
 
   /// The same for a count, which is at least `least` if it is open. Negative values mean none, 0.
   void Take(const char* name, int value, int& setting, int least = 1);
+
+  /// The same for the radius of neighbourhoods, which the search keeps below most.
+  void TakeRadius(const char* name, double value, double& setting, double most);
 
   /// The same for the scale of a Gaussian of distances, in whose place 0 means no Gaussian, as
   /// negative values of the property do.
@@ -84,20 +91,36 @@ public:
     virtual ~Judge() = default;
     /// Tries the settings as they are now. Returns false if the execution asked to stop.
     virtual bool Try(Execution& execution) = 0;
-    /// The number of the best try so far.
-    virtual std::size_t Best() const = 0;
+    /// The numbers of the tries so far, best first.
+    virtual std::vector<std::size_t> Ranking() const = 0;
   };
 
   /**
    * Looks for the best values, coordinate by coordinate: as long as it pays, a setting goes on by a
    * factor of 1.5 (counts: of 2) in one direction or the other, and again by smaller factors; then
-   * settings hold the best values tried. At most 6 + 4 n tries for n settings. Returns false if the
-   * execution asked to stop.
+   * settings hold the best values tried. Numbers of iterations and radii are limited together, to
+   * about four times the time that the start takes. At most 6 + 4 n tries for n settings. Returns
+   * false if the execution asked to stop.
    */
   bool Search(Judge& judge, Execution& execution);
 
+  /**
+   * Tries the values again that the search started from and the best four that it found, for a
+   * judge who is more exact, and keeps the best of these. Returns false if the execution asked to
+   * stop.
+   */
+  bool Confirm(const Judge& before, Judge& judge, Execution& execution);
+
 private:
+  using Values = std::vector<double>;
+
+  /// How much longer these values take than those of the start, about.
+  double Cost(const Values& values) const;
+  Values Get() const;
+  void Set(const Values& values);
+
   std::vector<OpenSetting> Settings;
+  std::vector<Values> Tried; ///< in the last search
 };
 
 }
