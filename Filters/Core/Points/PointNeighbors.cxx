@@ -97,7 +97,7 @@ NeighborGraph PointsWithinRadius(const Buffer<Vec3>& points, double radius, std:
         // Chunks of rows begin with a run.
         if (i % RunLength == 0)
         {
-          search.TakeRuns(runs.BoxOf(i / RunLength), Above(radius));
+          search.TakeRuns(i / RunLength, Above(radius));
         }
         const std::size_t found = search.TakePoints(points[i], radius * radius);
         const std::size_t sorted = limit < found ? limit + 1 : found;

@@ -144,16 +144,29 @@ PointRuns::PointRuns(const Buffer<Vec3>& points, Execution& execution)
   }
 }
 
-PointRuns::Box PointRuns::BoxOf(std::size_t run) const
+/// The box of child number % Fan of family number / Fan.
+PointRuns::Box PointRuns::BoxAt(std::size_t level, std::size_t number) const
 {
-  const Family& family = this->Boxes[0][run / Fan];
+  const Family& family = this->Boxes[level][number / Fan];
   Box box;
   for (const int axis : AllAxes)
   {
-    box.Low[axis] = family.Low[axis][run % Fan];
-    box.High[axis] = family.High[axis][run % Fan];
+    box.Low[axis] = family.Low[axis][number % Fan];
+    box.High[axis] = family.High[axis][number % Fan];
   }
   return box;
+}
+
+PointRuns::Box PointRuns::BoxOf(std::size_t run) const { return this->BoxAt(0, run); }
+
+PointRuns::Box PointRuns::BoxOfFamily(std::size_t family) const
+{
+  if (this->Boxes.size() > 1)
+  {
+    return this->BoxAt(1, family);
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return { Vec3::Constant(-infinity), Vec3::Constant(infinity) };
 }
 
 }
