@@ -75,8 +75,8 @@ public:
       return true;
     }
     const TwoStageSettings& settings = this->Settings;
-    this->Areas.assign(points.Size(), 1.0);
-    for (std::size_t i = 0; i < points.Size() && settings.DensityWeights; ++i)
+    this->Areas.resize(settings.DensityWeights ? points.Size() : 0);
+    for (std::size_t i = 0; i < this->Areas.size(); ++i)
     {
       const double spacing = points.Spacings[i] / points.Spacing;
       this->Areas[i] = spacing * spacing;
@@ -116,10 +116,20 @@ private:
   {
     const PointWeights& one = this->Settings.Normals;
     const PointWeights& other = this->Settings.Points;
-    auto needsDistances = [](NormalArgument argument)
-    { return IsCurvature(argument) || argument == NormalArgument::BentArc; };
     return one.SpatialScale == other.SpatialScale && one.IncludeOwn == other.IncludeOwn &&
-      !needsDistances(one.Argument) && !needsDistances(other.Argument) && !points.LocalScale;
+      !NeedsDistances(one.Argument) && !NeedsDistances(other.Argument) && !points.LocalScale;
+  }
+
+  static bool NeedsDistances(NormalArgument argument)
+  {
+    return IsCurvature(argument) || argument == NormalArgument::BentArc;
+  }
+
+  /// True if so few sweeps follow that it does not pay to keep what is fixed.
+  bool SweepsAreFew(const PointSet& points) const
+  {
+    return this->Settings.NormalIterations < 2 && this->Settings.PointIterations < 2 &&
+      !points.LocalScale;
   }
 
   /// The engine with the weights of a stage, for the present positions.
@@ -138,6 +148,7 @@ private:
     settings.StepLength = this->Settings.StepLength;
     settings.Unoriented = this->Settings.Unoriented;
     settings.BendFactor = std::pow(points.Spacing, 4);
+    settings.KeepFixedWeights = !this->SweepsAreFew(points);
     auto filter = std::make_unique<NormalFilter>(points.Neighbors, settings);
 
     SiteGeometry geometry{ points.Positions, this->Areas, 1e-12 * points.Spacing };
