@@ -3,8 +3,10 @@
 
 #include "SpatialOrder.h"
 
+#include "Bounds.h"
+
+#include <atomic>
 #include <cmath>
-#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -37,31 +39,6 @@ std::uint64_t ZOrder(const Vec3& p, const Vec3& low, double cellsPerLength)
   }
   return code;
 }
-
-/// The box of the finite ones of some points.
-struct Bounds
-{
-  Vec3 Low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 High = Vec3::Constant(-std::numeric_limits<double>::infinity());
-  std::size_t Finite = 0;
-
-  Bounds& operator+=(const Vec3& p)
-  {
-    if (p.allFinite())
-    {
-      *this += Bounds{ p, p, 1 };
-    }
-    return *this;
-  }
-
-  Bounds& operator+=(const Bounds& other)
-  {
-    this->Low = this->Low.cwiseMin(other.Low);
-    this->High = this->High.cwiseMax(other.High);
-    this->Finite += other.Finite;
-    return *this;
-  }
-};
 
 /// A position along a curve and who is there.
 struct NumberedCode
@@ -189,22 +166,28 @@ SpatialOrder FindSpatialOrder(const TriangleMesh& mesh, Execution& execution)
 Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vectors,
   Execution& execution)
 {
-  const Bounds bounds =
-    OrderedSum(execution, points.size(), Bounds(), [&](std::size_t i) { return points[i]; });
+  const Bounds bounds = BoundsOf(points, execution);
   const double extent = bounds.Finite > 0 ? (bounds.High - bounds.Low).maxCoeff() : 0.0;
   const double cellsPerLength = extent > 0.0 ? ((1 << 21) - 1) / extent : 0.0;
   Buffer<NumberedCode> codes(points.size());
-  execution.For(codes.size(),
-    [&](std::size_t begin, std::size_t end)
+  std::atomic<std::size_t> coded{ 0 };
+  auto code = [&](std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Vec3& p = points[i];
-        // Points that are not finite come last.
-        codes[i].Code = p.allFinite() ? ZOrder(p, bounds.Low, cellsPerLength) : ~std::uint64_t(0);
-        codes[i].Number = static_cast<Index>(i);
-      }
-    });
+      const Vec3& p = points[i];
+      // Points that are not finite come last.
+      codes[i].Code = p.allFinite() ? ZOrder(p, bounds.Low, cellsPerLength) : ~std::uint64_t(0);
+      codes[i].Number = static_cast<Index>(i);
+    }
+    coded += end - begin;
+  };
+  execution.For(codes.size(), code);
+  if (coded < codes.size())
+  {
+    // Work that was stopped runs no loops; numbers have to be numbers of points all the same.
+    code(0, codes.size());
+  }
   SortByHighBits(codes);
   codes.resize(bounds.Finite);
 
