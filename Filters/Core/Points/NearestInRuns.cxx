@@ -19,6 +19,9 @@ constexpr double LikelyGrowth = 1.12;
 /// The same from run to run, where another try is dear.
 constexpr double LikelyGrowthOfRuns = 1.3;
 
+/// From one try to the next.
+constexpr double Growth = 1.5;
+
 }
 
 /// The range of points around point i in the order, some times as many as wanted, or all there are.
@@ -89,18 +92,35 @@ bool NearestInRuns::Take(std::size_t i, double distance)
   return this->Search.TakePoints(this->Runs.Point(i), distance * distance) > this->Count;
 }
 
-/// Returns the distance of the last neighbour. It is below bound, and likely below the other one.
-double NearestInRuns::FindOne(std::size_t i, double likely, double bound, Index* row)
+/// Takes enough points around point i, and not many more: at least those in a ball of the likely
+/// size if that is enough, else in larger ones, up to the bound, which is computed if it is
+/// infinite.
+void NearestInRuns::TakeEnough(std::size_t i, double likely, double bound)
 {
-  if (!(likely > 0.0 && this->Take(i, likely)))
+  if (likely > 0.0 && this->Take(i, likely))
   {
-    bound = bound < Infinity ? bound : this->BoundAround(i);
-    if (!this->Take(i, Above(bound)))
+    return;
+  }
+  bound = bound < Infinity ? bound : this->BoundAround(i);
+  // Where the order leaps, the bound could hold half of the points.
+  for (double distance = Growth * likely; distance > 0.0 && distance < bound; distance *= Growth)
+  {
+    if (this->Take(i, distance))
     {
-      // Lengths so small that their squares have no digits left.
-      this->Take(i, Infinity);
+      return;
     }
   }
+  if (!this->Take(i, Above(bound)))
+  {
+    // Lengths so small that their squares have no digits left.
+    this->Take(i, Infinity);
+  }
+}
+
+/// Returns the distance of the last neighbour.
+double NearestInRuns::FindOne(std::size_t i, double likely, double bound, Index* row)
+{
+  this->TakeEnough(i, likely, bound);
   this->Search.SortPoints(this->Count + 1);
   const Index* sorted = this->Search.Sorted();
   std::size_t written = 0;

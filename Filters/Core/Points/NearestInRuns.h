@@ -43,6 +43,7 @@ private:
   bool IsInHeap(std::size_t i) const;
   double TakeHeap(std::size_t i, Index* row) const;
   bool Take(std::size_t i, double distance);
+  void TakeEnough(std::size_t i, double likely, double bound);
   double FindOne(std::size_t i, double likely, double bound, Index* row);
 
   const PointRuns& Runs;

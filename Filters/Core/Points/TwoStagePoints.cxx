@@ -84,8 +84,10 @@ public:
     const int steps = std::max(1, settings.NormalIterations + settings.PointIterations);
     const double middle = first + (last - first) * settings.NormalIterations / steps;
     std::unique_ptr<NormalFilter> filter;
-    return this->FilterNormals(points, filter, execution, first, middle) &&
+    const bool finished = this->FilterNormals(points, filter, execution, first, middle) &&
       this->MovePoints(points, filter, execution, middle, last);
+    Release(this->Spare);
+    return finished;
   }
 
 private:
@@ -196,7 +198,8 @@ private:
     }
     PointPatchSettings patch = settings.Patch;
     patch.Unoriented = settings.Unoriented;
-    Buffer<Vec3> filtered(points.Size());
+    Buffer<Vec3>& filtered = this->Spare;
+    filtered.resize(points.Size());
     for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
     {
       if (!execution.Proceed(first + (last - first) * iteration / settings.NormalIterations))
@@ -272,7 +275,7 @@ private:
     {
       filter->FreezeWeights(fields, execution);
     }
-    Buffer<Vec3> places;
+    Buffer<Vec3>& places = this->Spare;
     for (int iteration = 0; iteration < settings.PointIterations; ++iteration)
     {
       if (!execution.Proceed(first + (last - first) * iteration / settings.PointIterations))
@@ -287,6 +290,7 @@ private:
 
   TwoStageSettings Settings;
   bool ChoseScale = false;
+  Buffer<Vec3> Spare; ///< for what comes out of a sweep: fresh memory costs as much as its work
   Buffer<double> Areas;
   Buffer<double> ScaleFactors; ///< of the norm, per point
 };
