@@ -204,13 +204,24 @@ void NormalFilter::FreezeWeights(const Fields& fields, Execution& execution)
         [&](const Block& block)
         {
           const double* fixed = this->FixedWeightsOf(block, work);
-          this->ComputeWeights(block, fields, fixed, work.Weights.data());
-          std::copy(work.Weights.data(), work.Weights.data() + block.Count,
-            this->FixedWeights.data() + block.Entry);
+          const double* weights = this->WeightsOf(block, fields, fixed, work);
+          std::copy(weights, weights + block.Count, this->FixedWeights.data() + block.Entry);
         });
     });
   this->Kept = true;
   this->Frozen = true;
+}
+
+const double* NormalFilter::WeightsOf(const Block& block, const Fields& fields, const double* fixed,
+  Workspace& work) const
+{
+  // The weight of a mean is one whatever the argument.
+  if (this->Frozen || std::holds_alternative<L2Norm>(this->Settings.Norm))
+  {
+    return fixed;
+  }
+  this->ComputeWeights(block, fields, fixed, work.Weights.data());
+  return work.Weights.data();
 }
 
 void NormalFilter::ComputeWeights(const Block& block, const Fields& fields, const double* fixed,
@@ -277,8 +288,7 @@ std::size_t NormalFilter::Sweep(const Fields& fields, Buffer<Vec3>& filtered,
         [&](const Block& block)
         {
           const double* fixed = this->FixedWeightsOf(block, work);
-          double* weights = work.Weights.data();
-          this->ComputeWeights(block, fields, fixed, weights);
+          const double* weights = this->WeightsOf(block, fields, fixed, work);
           const Rows rows{ this->Graph, this->Settings.IncludeOwn, block.First, block.Last };
           const Vec3* data = fields.Data.data();
           const Vec3* current = fields.Current.data();

@@ -171,12 +171,8 @@ public:
         this->ForBlocks(begin, end,
           [&](const Block& block)
           {
-            const double* known = this->FixedWeightsOf(block, work);
-            if (!this->Frozen)
-            {
-              this->ComputeWeights(block, fields, known, work.Weights.data());
-              known = work.Weights.data();
-            }
+            const double* known =
+              this->WeightsOf(block, fields, this->FixedWeightsOf(block, work), work);
             for (std::size_t i = block.First; i < block.Last; ++i)
             {
               use(i, known + (this->EntryOf(i) - block.Entry));
@@ -254,6 +250,8 @@ private:
   bool ComputeFixedWeights(const Block& block, double* squares, double* fixed) const;
   void ComputeInverseDistances(const Block& block, double* squares);
   const double* FixedWeightsOf(const Block& block, Workspace& work) const;
+  const double* WeightsOf(const Block& block, const Fields& fields, const double* fixed,
+    Workspace& work) const;
   void ComputeWeights(const Block& block, const Fields& fields, const double* fixed,
     double* weights) const;
 
