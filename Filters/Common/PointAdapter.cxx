@@ -4,6 +4,7 @@
 #include "PointAdapter.h"
 
 #include "ArrayDispatch.h"
+#include "Bounds.h"
 #include "SurfaceAdapter.h"
 
 #include "vtkDoubleArray.h"
@@ -50,10 +51,14 @@ bool ReadNormals(vtkDataArray* array, vtkPolyData* data, Buffer<Vec3>& normals, 
   }
   normals.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
   OnArray(array, CopyVectors{}, normals, execution);
-  for (Vec3& n : normals)
-  {
-    n = UnitOrZero(n);
-  }
+  execution.For(normals.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        normals[i] = UnitOrZero(normals[i]);
+      }
+    });
   return true;
 }
 
@@ -87,6 +92,33 @@ vtkSmartPointer<vtkPolyData> WithFinitePoints(vtkPolyData* data, Buffer<unsigned
   finite->SetPoints(points);
   return finite;
 }
+
+/// From where points were to where they are; zero for those that are not finite.
+struct WriteDisplacements
+{
+  double* Displacements;
+  Execution& Loops;
+
+  template <typename Before, typename After>
+  void operator()(Before* before, After* after) const
+  {
+    const auto from = vtk::DataArrayTupleRange<3>(before);
+    const auto to = vtk::DataArrayTupleRange<3>(after);
+    this->Loops.For(static_cast<std::size_t>(from.size()),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const auto p = from[static_cast<vtkIdType>(i)];
+          const auto q = to[static_cast<vtkIdType>(i)];
+          const Vec3 place(p[0], p[1], p[2]);
+          const Vec3 displacement =
+            place.allFinite() ? Vec3(Vec3(q[0], q[1], q[2]) - place) : Vec3(0.0, 0.0, 0.0);
+          std::copy_n(displacement.data(), 3, this->Displacements + 3 * i);
+        }
+      });
+  }
+};
 
 /// A byte per point.
 template <typename Value>
@@ -127,28 +159,25 @@ bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::
     return false;
   }
 
-  Eigen::AlignedBox3d box;
-  for (const Vec3& p : positions)
-  {
-    if (p.allFinite())
-    {
-      box.extend(p);
-    }
-  }
-  if (box.isEmpty())
+  const Bounds box = BoundsOf(positions, execution);
+  if (box.Finite == 0)
   {
     return true;
   }
-  if (!((box.max() - box.min()).maxCoeff() <= 1e100))
+  if (!((box.High - box.Low).maxCoeff() <= 1e100))
   {
     error = "The input is too large: its squared extent is beyond double precision.";
     return false;
   }
-  view.Centre = 0.5 * box.min() + 0.5 * box.max();
-  for (Vec3& p : positions)
-  {
-    p -= view.Centre;
-  }
+  view.Centre = 0.5 * box.Low + 0.5 * box.High;
+  execution.For(positions.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        positions[i] -= view.Centre;
+      }
+    });
   return true;
 }
 
@@ -213,18 +242,21 @@ void PassPoints(vtkPolyData* input, const PointView& view, vtkPolyData* output,
     array->SetNumberOfTuples(static_cast<vtkIdType>(count));
   }
   double* normal = normals->GetPointer(0);
-  double* displacement = displacements->GetPointer(0);
-  vtkPoints* before = input->GetPoints();
-  vtkPoints* after = moved;
-  for (std::size_t i = 0; i < count; ++i)
+  execution.For(count,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        std::copy_n(cloud.Normals[i].data(), 3, normal + 3 * i);
+      }
+    });
+  using SameReals = vtkArrayDispatch::Dispatch2BySameValueType<vtkArrayDispatch::Reals>;
+  vtkDataArray* before = input->GetPoints()->GetData();
+  vtkDataArray* after = moved->GetData();
+  WriteDisplacements write{ displacements->GetPointer(0), execution };
+  if (!SameReals::Execute(before, after, write))
   {
-    std::copy_n(cloud.Normals[i].data(), 3, normal + 3 * i);
-    Vec3 p;
-    Vec3 q;
-    before->GetPoint(static_cast<vtkIdType>(i), p.data());
-    after->GetPoint(static_cast<vtkIdType>(i), q.data());
-    const Vec3 d = p.allFinite() ? Vec3(q - p) : Vec3(0.0, 0.0, 0.0);
-    std::copy_n(d.data(), 3, displacement + 3 * i);
+    write(before, after);
   }
   output->GetPointData()->SetNormals(normals);
   output->GetPointData()->AddArray(displacements);

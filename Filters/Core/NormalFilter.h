@@ -91,14 +91,18 @@ struct NormalFilterSettings
   /// with that of the site, in arguments as in sums.
   bool Unoriented = false;
   double BendFactor = 0.0; ///< C of BentArc, a length to the fourth power
+  /// False: a_j f is computed again by every sweep. That takes less memory, and less time as well
+  /// if there are only two sweeps.
+  bool KeepFixedWeights = true;
 };
 
 /// Where sites are and how large they are.
 struct SiteGeometry
 {
   const Buffer<Vec3>& Positions;
-  const Buffer<double>& Areas; ///< 0: degenerate, no weight whatever the weighting
-  double Shortest;             ///< divisors are at least that; a length
+  /// 0: degenerate, no weight whatever the weighting. Without any, all are 1.
+  const Buffer<double>& Areas;
+  double Shortest; ///< divisors are at least that; a length
 
   const Buffer<double>* SpatialSigmas = nullptr; ///< per site, instead of SpatialSigma
   const Buffer<double>* Couplings = nullptr;     ///< per entry of the graph, for Coupling
@@ -118,7 +122,8 @@ public:
   NormalFilter(const NeighborGraph& graph, const NormalFilterSettings& settings);
 
   /// To be called before sweeps, and again when sites moved. Heights are those of the positions
-  /// given here, which must outlive the sweeps.
+  /// given here, which must outlive the sweeps; so must everything given here, unchanged, if fixed
+  /// weights are not kept.
   void SetGeometry(const SiteGeometry& geometry, Execution& execution);
 
   /// Another norm of another argument for the same geometry. Neither argument may be a curvature or
@@ -162,16 +167,12 @@ public:
     execution.For(this->Graph.NumberOfRows(),
       [&](std::size_t begin, std::size_t end)
       {
-        Buffer<double> weights(this->Capacity);
+        Workspace work(this->Capacity);
         this->ForBlocks(begin, end,
           [&](const Block& block)
           {
-            const double* known = this->FixedWeights.data() + block.Entry;
-            if (!this->Frozen)
-            {
-              this->ComputeWeights(block, fields, weights.data());
-              known = weights.data();
-            }
+            const double* known =
+              this->WeightsOf(block, fields, this->FixedWeightsOf(block, work), work);
             for (std::size_t i = block.First; i < block.Last; ++i)
             {
               use(i, known + (this->EntryOf(i) - block.Entry));
@@ -197,10 +198,33 @@ private:
     std::size_t Count;
   };
 
+  /// What a thread needs for a block.
+  struct Workspace
+  {
+    explicit Workspace(std::size_t capacity)
+      : Weights(capacity)
+      , Fixed(capacity)
+      , Squares(capacity)
+    {
+    }
+
+    Buffer<double> Weights;
+    Buffer<double> Fixed;
+    Buffer<double> Squares;
+  };
+
   /// Entries of row i, first the site itself if it is included, begin here.
   std::size_t EntryOf(std::size_t i) const
   {
     return this->Graph.Offsets[i] + (this->Settings.IncludeOwn ? i : 0);
+  }
+
+  /// True if the argument is one per distance.
+  bool NeedsDistances() const
+  {
+    const NormalArgument argument = this->Settings.Argument;
+    return argument == NormalArgument::DirectionalCurvature ||
+      argument == NormalArgument::NormalGradient || argument == NormalArgument::BentArc;
   }
 
   /// Calls use(block) for rows [begin, end), cut into blocks that fit the capacity.
@@ -220,7 +244,16 @@ private:
     }
   }
 
-  void ComputeWeights(const Block& block, const Fields& fields, double* weights) const;
+  bool AllWeighOne() const;
+  void ResizeFixedWeights();
+  void SquareDistances(const Block& block, double* squares) const;
+  bool ComputeFixedWeights(const Block& block, double* squares, double* fixed) const;
+  void ComputeInverseDistances(const Block& block, double* squares);
+  const double* FixedWeightsOf(const Block& block, Workspace& work) const;
+  const double* WeightsOf(const Block& block, const Fields& fields, const double* fixed,
+    Workspace& work) const;
+  void ComputeWeights(const Block& block, const Fields& fields, const double* fixed,
+    double* weights) const;
 
   const NeighborGraph& Graph;
   NormalFilterSettings Settings;
@@ -228,10 +261,17 @@ private:
   std::size_t Capacity = 0;     ///< room for a block and what vectors read beyond it
 
   Buffer<double> FixedWeights; ///< a_j f; if they are frozen, all
+  bool Kept = true;            ///< or computed when they are needed
   bool Frozen = false;
-  Buffer<double> InverseSquaredDistances;  ///< for curvatures along the line between two sites
-  Buffer<double> SiteFactors;              ///< g(x_i), for SiteCurvature
-  const Buffer<Vec3>* Positions = nullptr; ///< for heights, those of SetGeometry
+  Buffer<double> InverseSquaredDistances; ///< for curvatures along the line between two sites
+  Buffer<double> SiteFactors;             ///< g(x_i), for SiteCurvature
+
+  /// Of SetGeometry.
+  const Buffer<double>* Areas = nullptr;
+  double Shortest = 0.0;
+  const Buffer<double>* SpatialSigmas = nullptr;
+  const Buffer<double>* Couplings = nullptr;
+  const Buffer<Vec3>* Positions = nullptr;
   const Buffer<Vec3>* Centres = nullptr;
   const Buffer<double>* NormScaleFactors = nullptr;
 };

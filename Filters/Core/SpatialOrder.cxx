@@ -3,8 +3,10 @@
 
 #include "SpatialOrder.h"
 
+#include "Bounds.h"
+
+#include <atomic>
 #include <cmath>
-#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -36,6 +38,48 @@ std::uint64_t ZOrder(const Vec3& p, const Vec3& low, double cellsPerLength)
     code |= SpreadBits(static_cast<std::uint64_t>((p[axis] - low[axis]) * cellsPerLength)) << axis;
   }
   return code;
+}
+
+/// A position along a curve and who is there.
+struct NumberedCode
+{
+  /// So many digits of so many bits are the high bits.
+  static constexpr int Digits = 3;
+  static constexpr int DigitBits = 11;
+  static constexpr int LowBits = 64 - Digits * DigitBits;
+
+  std::uint64_t Code;
+  Index Number;
+
+  std::uint64_t HighBits() const { return this->Code >> LowBits; }
+  std::size_t Digit(int digit) const
+  {
+    return (this->Code >> (LowBits + digit * DigitBits)) & ((1 << DigitBits) - 1);
+  }
+};
+
+/// Sorts by the high bits of the codes, digit by digit. Equal ones stay in their order.
+void SortByHighBits(Buffer<NumberedCode>& codes)
+{
+  constexpr std::size_t buckets = std::size_t(1) << NumberedCode::DigitBits;
+  Buffer<NumberedCode> sorted(codes.size());
+  for (int digit = 0; digit < NumberedCode::Digits; ++digit)
+  {
+    std::array<std::size_t, buckets + 1> starts{};
+    for (const NumberedCode& code : codes)
+    {
+      ++starts[code.Digit(digit) + 1];
+    }
+    for (std::size_t bucket = 1; bucket < buckets; ++bucket)
+    {
+      starts[bucket] += starts[bucket - 1];
+    }
+    for (const NumberedCode& code : codes)
+    {
+      sorted[starts[code.Digit(digit)]++] = code;
+    }
+    codes.swap(sorted);
+  }
 }
 
 /// Mean of step(i) for i in [0, count) where it is finite.
@@ -122,55 +166,67 @@ SpatialOrder FindSpatialOrder(const TriangleMesh& mesh, Execution& execution)
 Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vectors,
   Execution& execution)
 {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = -low;
-  Buffer<std::pair<std::uint64_t, Index>> codes;
-  codes.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (points[i].allFinite())
-    {
-      low = low.cwiseMin(points[i]);
-      high = high.cwiseMax(points[i]);
-      codes.emplace_back(0, static_cast<Index>(i));
-    }
-  }
-  const double extent = codes.empty() ? 0.0 : (high - low).maxCoeff();
+  const Bounds bounds = BoundsOf(points, execution);
+  const double extent = bounds.Finite > 0 ? (bounds.High - bounds.Low).maxCoeff() : 0.0;
   const double cellsPerLength = extent > 0.0 ? ((1 << 21) - 1) / extent : 0.0;
-  execution.For(codes.size(),
-    [&](std::size_t begin, std::size_t end)
+  Buffer<NumberedCode> codes(points.size());
+  std::atomic<std::size_t> coded{ 0 };
+  auto code = [&](std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        codes[k].first = ZOrder(points[codes[k].second], low, cellsPerLength);
-      }
-    });
+      const Vec3& p = points[i];
+      // Points that are not finite come last.
+      codes[i].Code = p.allFinite() ? ZOrder(p, bounds.Low, cellsPerLength) : ~std::uint64_t(0);
+      codes[i].Number = static_cast<Index>(i);
+    }
+    coded += end - begin;
+  };
+  execution.For(codes.size(), code);
+  if (coded < codes.size())
+  {
+    // Work that was stopped runs no loops; numbers have to be numbers of points all the same.
+    code(0, codes.size());
+  }
+  SortByHighBits(codes);
+  codes.resize(bounds.Finite);
+
   auto differs = [](const Vec3& a, const Vec3& b) { return a != b; };
   auto before = [](const Vec3& a, const Vec3& b)
   { return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3); };
-  std::sort(codes.begin(), codes.end(),
-    [&](const auto& a, const auto& b)
+  auto less = [&](const NumberedCode& a, const NumberedCode& b)
+  {
+    if (a.Code != b.Code)
     {
-      if (a.first != b.first)
-      {
-        return a.first < b.first;
-      }
-      const Index i = a.second;
-      const Index j = b.second;
-      if (differs(points[i], points[j]))
-      {
-        return before(points[i], points[j]);
-      }
-      if (!vectors.empty() && differs(vectors[i], vectors[j]))
-      {
-        return before(vectors[i], vectors[j]);
-      }
-      return i < j;
-    });
+      return a.Code < b.Code;
+    }
+    const Index i = a.Number;
+    const Index j = b.Number;
+    if (differs(points[i], points[j]))
+    {
+      return before(points[i], points[j]);
+    }
+    if (!vectors.empty() && differs(vectors[i], vectors[j]))
+    {
+      return before(vectors[i], vectors[j]);
+    }
+    return i < j;
+  };
   Buffer<Index> order(codes.size());
+  for (auto first = codes.begin(); first != codes.end();)
+  {
+    const std::uint64_t high = first->HighBits();
+    const auto last = std::find_if(first + 1, codes.end(),
+      [high](const NumberedCode& code) { return code.HighBits() != high; });
+    if (last - first > 1)
+    {
+      std::sort(first, last, less);
+    }
+    first = last;
+  }
   for (std::size_t k = 0; k < codes.size(); ++k)
   {
-    order[k] = codes[k].second;
+    order[k] = codes[k].Number;
   }
   return order;
 }

@@ -46,14 +46,26 @@ TriangleMesh Reorder(const TriangleMesh& mesh, const SpatialOrder& order);
 
 /// ordered[i] = values[order[i]].
 template <typename Value>
-Buffer<Value> Gather(const Buffer<Value>& values, const Buffer<Index>& order)
+Buffer<Value> Gather(const Buffer<Value>& values, const Buffer<Index>& order, Execution& execution)
 {
   Buffer<Value> ordered(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    ordered[i] = values[order[i]];
-  }
+  execution.For(order.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        ordered[i] = values[order[i]];
+      }
+    });
   return ordered;
+}
+
+/// The same on the calling thread.
+template <typename Value>
+Buffer<Value> Gather(const Buffer<Value>& values, const Buffer<Index>& order)
+{
+  Execution here;
+  return Gather(values, order, here);
 }
 
 /// values[order[i]] = ordered[i].

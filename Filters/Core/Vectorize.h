@@ -23,8 +23,11 @@
 #if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) &&         \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define SURFACEDENOISING_VECTORIZED __attribute__((target_clones("avx512f", "avx2", "default")))
+#define SURFACEDENOISING_AVX512 __attribute__((target("avx512f")))
+#define SURFACEDENOISING_DEFAULT __attribute__((target("default")))
 #else
 #define SURFACEDENOISING_VECTORIZED
+#define SURFACEDENOISING_DEFAULT
 #endif
 
 namespace SurfaceDenoising

@@ -141,7 +141,7 @@ TEST_P(PlaneClouds, StopsWhenAsked)
     int Limit = 1;
   };
   const Shape shape = Shapes()[0];
-  for (const int limit : { 1, 2, 3 })
+  for (const int limit : { 1, 2 })
   {
     PointSet points = Prepare(shape.Positions, shape.Spacing);
     const auto filter = GetParam().Make();

@@ -21,8 +21,8 @@ Buffer<double> SimilarityScores(const NeighborGraph& neighbors, const Buffer<Vec
   settings.Weighting = SiteWeight::Uniform;
   settings.Unoriented = true;
   NormalFilter filter(neighbors, settings);
-  const Buffer<double> ones(normals.size(), 1.0);
-  filter.SetGeometry({ positions, ones, 0.0 }, execution);
+  const Buffer<double> noAreas;
+  filter.SetGeometry({ positions, noAreas, 0.0 }, execution);
   Buffer<double> scores(normals.size());
   filter.VisitWeights({ normals, normals, normals, normals }, execution,
     [&](std::size_t i, const double* weights)

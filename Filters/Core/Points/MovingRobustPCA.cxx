@@ -68,8 +68,8 @@ private:
   void VisitRows(const PointSet& points, const NeighborGraph& graph, Execution& execution, Use use)
   {
     NormalFilter filter(graph, WeightsBySimilarNormals(this->Settings.NormalAngle));
-    const Buffer<double> ones(points.Size(), 1.0);
-    filter.SetGeometry({ points.Positions, ones, 0.0 }, execution);
+    const Buffer<double> noAreas;
+    filter.SetGeometry({ points.Positions, noAreas, 0.0 }, execution);
     const Buffer<Vec3>& normals = points.Normals;
     filter.VisitWeights({ normals, normals, normals, normals }, execution, use);
   }

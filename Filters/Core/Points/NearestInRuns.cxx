@@ -4,7 +4,6 @@
 #include "NearestInRuns.h"
 
 #include <cmath>
-#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -16,6 +15,12 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Balls that hold as many points around neighbours seldom differ by more.
 constexpr double LikelyGrowth = 1.12;
+
+/// The same from run to run, where another try is dear.
+constexpr double LikelyGrowthOfRuns = 1.3;
+
+/// From one try to the next.
+constexpr double Growth = 1.5;
 
 }
 
@@ -45,8 +50,22 @@ double NearestInRuns::BoundAround(std::size_t i)
   return std::sqrt(*last);
 }
 
-/// Points at the place of point i, of which there are enough around it in the order.
-void NearestInRuns::TakeHeap(std::size_t i, Index* row) const
+/// True if the range around point i has more than count points at its place, itself included.
+bool NearestInRuns::IsInHeap(std::size_t i) const
+{
+  const auto [begin, end] = this->Around(i);
+  const Vec3 p = this->Runs.Point(i);
+  std::size_t heap = 0;
+  for (std::size_t j = begin; j < end; ++j)
+  {
+    heap += (this->Runs.Point(j) - p).squaredNorm() == 0.0 ? 1 : 0;
+  }
+  return heap > this->Count;
+}
+
+/// Takes points at the place of point i, of which there are enough around it in the order. Returns
+/// their distance.
+double NearestInRuns::TakeHeap(std::size_t i, Index* row) const
 {
   const auto [begin, end] = this->Around(i);
   const Vec3 p = this->Runs.Point(i);
@@ -58,53 +77,59 @@ void NearestInRuns::TakeHeap(std::size_t i, Index* row) const
       row[taken++] = static_cast<Index>(j);
     }
   }
+  return 0.0;
 }
 
-void NearestInRuns::FindOne(std::size_t i, const PointRuns::Box& box, double bound, Index* row)
+/// Takes the points at most distance away from point i. Returns false if they are not enough: one
+/// more than wanted, because the point finds itself.
+bool NearestInRuns::Take(std::size_t i, double distance)
 {
-  const Vec3 p = this->Runs.Point(i);
-  double likely = bound;
-  if (this->Done > 0)
+  if (distance > this->Covered)
   {
-    std::size_t nearest = 0;
-    double square = Infinity;
-    for (std::size_t n = 0; n < this->Done; ++n)
-    {
-      const double apart = (this->Places[n] - p).squaredNorm();
-      nearest = apart < square ? n : nearest;
-      square = std::min(square, apart);
-    }
-    // The ball around a point before reaches as far, seen from here. Most often, one of nearly its
-    // size around this point is enough.
-    bound = std::min(bound, this->Distances[nearest] + std::sqrt(square));
-    likely = LikelyGrowth * this->Distances[nearest];
+    this->Covered = LikelyGrowthOfRuns * distance;
+    this->Search.TakeRuns(this->Run, this->Covered);
   }
-  this->Places[this->Done] = p;
-  double& distance = this->Distances[this->Done++];
-  if (bound == 0.0 && this->BoundAround(i) == 0.0)
+  return this->Search.TakePoints(this->Runs.Point(i), distance * distance) > this->Count;
+}
+
+/// Takes enough points around point i, and not many more: at least those in a ball of the likely
+/// size if that is enough, else in larger ones, up to the bound, which is computed if it is
+/// infinite.
+void NearestInRuns::TakeEnough(std::size_t i, double likely, double bound)
+{
+  if (likely > 0.0 && this->Take(i, likely))
   {
-    distance = 0.0;
-    this->TakeHeap(i, row);
     return;
   }
-  // One more than wanted, because the point finds itself.
-  const std::size_t count = this->Count + 1;
-  if (!(likely < bound && this->Search.TakePoints(p, likely * likely) >= count) &&
-    this->Search.TakePoints(p, Above(bound) * Above(bound)) < count)
+  bound = bound < Infinity ? bound : this->BoundAround(i);
+  // Where the order leaps, the bound could hold half of the points.
+  for (double distance = Growth * likely; distance > 0.0 && distance < bound; distance *= Growth)
+  {
+    if (this->Take(i, distance))
+    {
+      return;
+    }
+  }
+  if (!this->Take(i, Above(bound)))
   {
     // Lengths so small that their squares have no digits left.
-    this->Search.TakeRuns(box, Infinity);
-    this->Search.TakePoints(p, Infinity);
+    this->Take(i, Infinity);
   }
-  this->Search.SortPoints(count);
-  distance = std::sqrt(this->Search.LastSquare());
+}
+
+/// Returns the distance of the last neighbour.
+double NearestInRuns::FindOne(std::size_t i, double likely, double bound, Index* row)
+{
+  this->TakeEnough(i, likely, bound);
+  this->Search.SortPoints(this->Count + 1);
   const Index* sorted = this->Search.Sorted();
   std::size_t written = 0;
-  for (std::size_t n = 0; n < count && written < this->Count; ++n)
+  for (std::size_t n = 0; n <= this->Count && written < this->Count; ++n)
   {
     row[written] = sorted[n];
     written += sorted[n] != i ? 1 : 0;
   }
+  return std::sqrt(this->Search.LastSquare());
 }
 
 void NearestInRuns::Find(std::size_t run, Index* rows)
@@ -112,34 +137,58 @@ void NearestInRuns::Find(std::size_t run, Index* rows)
   const std::size_t first = run * RunLength;
   const std::size_t last = std::min(first + RunLength, this->Runs.NumberOfPoints());
   const PointRuns::Box box = this->Runs.BoxOf(run);
+  this->Run = run;
+  this->Covered = -1.0; // not even the place itself
 
   // Begins in the middle, from where the others are not far.
   const Vec3 center = 0.5 * (box.Low + box.High);
+  double nearest = Infinity;
   std::size_t pivot = first;
   for (std::size_t i = first; i < last; ++i)
   {
-    if ((this->Runs.Point(i) - center).squaredNorm() <
-      (this->Runs.Point(pivot) - center).squaredNorm())
-    {
-      pivot = i;
-    }
+    const double square = (this->Runs.Point(i) - center).squaredNorm();
+    pivot = square < nearest ? i : pivot;
+    nearest = std::min(square, nearest);
   }
   double reach = 0.0;
   for (std::size_t i = first; i < last; ++i)
   {
-    reach = std::max(reach, (this->Runs.Point(i) - this->Runs.Point(pivot)).norm());
+    reach = std::max(reach, (this->Runs.Point(i) - this->Runs.Point(pivot)).squaredNorm());
   }
-  this->Done = 0;
-  const double bound = this->BoundAround(pivot);
-  this->Search.TakeRuns(box, Above(bound + reach));
-  this->FindOne(pivot, box, bound, rows + (pivot - first) * this->Count);
-  this->Search.KeepRuns(box, Above(this->Distances[0] + reach));
+  // A run of uniform points reaches as far as its number of neighbours; where the run before lies
+  // among fewer points, the ball could hold any number.
+  const double share = static_cast<double>(this->Count + 1) / static_cast<double>(RunLength);
+  const double likely = std::min(LikelyGrowthOfRuns * this->Before, std::sqrt(reach * share));
+  Index* row = rows + (pivot - first) * this->Count;
+  double& middle = this->Distances[pivot - first];
+  middle = this->IsInHeap(pivot) ? this->TakeHeap(pivot, row)
+                                 : this->FindOne(pivot, likely, Infinity, row);
+  this->Before = middle;
+
   for (std::size_t i = first; i < last; ++i)
   {
-    if (i != pivot)
+    if (i == pivot)
     {
-      this->FindOne(i, box, Infinity, rows + (i - first) * this->Count);
+      continue;
     }
+    // Of the points before, the nearest.
+    const Vec3 p = this->Runs.Point(i);
+    std::size_t other = pivot;
+    double square = (this->Runs.Point(pivot) - p).squaredNorm();
+    for (std::size_t j = first; j < i; ++j)
+    {
+      const double apart = (this->Runs.Point(j) - p).squaredNorm();
+      other = apart < square ? j : other;
+      square = std::min(square, apart);
+    }
+    // The ball around it reaches as far, seen from here. Most often, one of nearly its size around
+    // this point is enough.
+    const double distance = this->Distances[other - first];
+    const double bound = distance + std::sqrt(square);
+    row = rows + (i - first) * this->Count;
+    this->Distances[i - first] = bound == 0.0 && this->IsInHeap(i)
+      ? this->TakeHeap(i, row)
+      : this->FindOne(i, std::min(LikelyGrowth * distance, bound), bound, row);
   }
 }
 

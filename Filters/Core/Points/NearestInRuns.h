@@ -11,6 +11,8 @@
 
 #include "RunSearch.h"
 
+#include <limits>
+
 namespace SurfaceDenoising
 {
 
@@ -23,6 +25,7 @@ public:
     : Runs(runs)
     , Count(count)
     , Search(runs)
+    , Before(std::numeric_limits<double>::infinity())
   {
   }
 
@@ -37,17 +40,23 @@ public:
 private:
   std::pair<std::size_t, std::size_t> Around(std::size_t i) const;
   double BoundAround(std::size_t i);
-  void TakeHeap(std::size_t i, Index* row) const;
-  void FindOne(std::size_t i, const PointRuns::Box& box, double bound, Index* row);
+  bool IsInHeap(std::size_t i) const;
+  double TakeHeap(std::size_t i, Index* row) const;
+  bool Take(std::size_t i, double distance);
+  void TakeEnough(std::size_t i, double likely, double bound);
+  double FindOne(std::size_t i, double likely, double bound, Index* row);
 
   const PointRuns& Runs;
   const std::size_t Count;
   RunSearch Search;
   Buffer<double> Squares;
 
-  /// The points of the run that were dealt with, and the distances of their last neighbours.
-  std::size_t Done = 0;
-  Vec3 Places[RunLength];
+  double Before; ///< the distance of the last neighbour in the middle of the run before
+
+  /// The present run, how far around it others were taken, and for its points the distance of the
+  /// last neighbour.
+  std::size_t Run = 0;
+  double Covered = 0.0;
   double Distances[RunLength];
 };
 

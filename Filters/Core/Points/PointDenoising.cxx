@@ -78,7 +78,11 @@ public:
   {
     const Stopwatch stopwatch(this->Report.SetupSeconds);
     PointSet& points = this->Points;
-    points.Start = points.Positions;
+    if (this->NeedsStart())
+    {
+      points.Start = points.Positions;
+    }
+    this->CountMissingNormals(execution);
     points.LocalScale = this->Settings.LocalScale;
     points.Status.assign(points.Size(), PointStatus::Filtered);
     NeighborGraph nearest;
@@ -149,23 +153,32 @@ private:
       : 0;
   }
 
-  static bool IsMissing(const Vec3& normal) { return normal.isZero(0.0); }
+  /// True if points may have to go back to where they came from.
+  bool NeedsStart() const
+  {
+    const bool lonely =
+      std::min(this->CountOfNeighborhood() + 1, this->Points.Size()) <= FewestNeighbors;
+    return this->Settings.MaximumDisplacement > 0.0 || lonely;
+  }
+
+  void CountMissingNormals(Execution& execution)
+  {
+    const Buffer<Vec3>& given = this->Points.Normals;
+    this->MissingNormals = this->Points.Size() - given.size() +
+      OrderedSum(execution, given.size(), std::size_t(0),
+        [&](std::size_t i) { return given[i].isZero(0.0) ? 1 : 0; });
+  }
 
   /// True if the normals that came with the points count.
   bool TakesGivenNormals() const
   {
-    const Buffer<Vec3>& given = this->Points.Normals;
     const NormalSource source = this->Settings.Normals.Source;
     return (source == NormalSource::Automatic || source == NormalSource::Given) &&
-      !std::all_of(given.begin(), given.end(), IsMissing);
+      this->MissingNormals < this->Points.Size();
   }
 
   /// True if normals, or some, have to come from fits.
-  bool NeedsFits() const
-  {
-    const Buffer<Vec3>& given = this->Points.Normals;
-    return !this->TakesGivenNormals() || std::any_of(given.begin(), given.end(), IsMissing);
-  }
+  bool NeedsFits() const { return !this->TakesGivenNormals() || this->MissingNormals > 0; }
 
   /// As many nearest points as anything needs; after the first time, the neighbourhood alone.
   bool FindNearest(NeighborGraph& nearest, Execution& execution, double fraction)
@@ -200,7 +213,8 @@ private:
 
   bool FindNormals(const NeighborGraph& nearest, Execution& execution);
   void FillGaps(const NeighborGraph& nearest, const Buffer<Vec3>& fitted, Buffer<Vec3>& normals);
-  void Orient(const NeighborGraph& nearest, const Buffer<Vec3>& given, Execution& execution);
+  bool Agree(const NeighborGraph& nearest, const Buffer<Vec3>& given, Execution& execution) const;
+  void Orient(const NeighborGraph& nearest, bool agree, Execution& execution);
 
   /// The neighbourhood of the settings from the nearest points.
   bool FindNeighbors(NeighborGraph nearest, Execution& execution, double fraction)
@@ -268,47 +282,51 @@ private:
 
   const PointDenoisingSettings& Settings;
   PointDenoisingReport& Report;
+  std::size_t MissingNormals = 0; ///< of those that came with the points
 };
 
 bool PointWork::FindNormals(const NeighborGraph& nearest, Execution& execution)
 {
   PointSet& points = this->Points;
   const PointNormalSettings& settings = this->Settings.Normals;
-  const bool takeGiven = this->TakesGivenNormals();
-  const bool fit = this->NeedsFits();
-  const Buffer<Vec3> given = std::move(points.Normals);
-  points.Normals = Buffer<Vec3>();
-  if (fit)
+  if (!this->NeedsFits())
   {
-    const std::size_t count = static_cast<std::size_t>(std::max(2, settings.NumberOfNeighbors));
-    InterruptedExecution interrupted(execution, 0.1);
-    points.Normals = PlaneFitNormals(points.Positions, nearest, count, interrupted);
-    if (!execution.Proceed(0.1))
+    this->Orient(nearest, this->Agree(nearest, points.Normals, execution), execution);
+    return execution.Proceed(0.22);
+  }
+  const Buffer<Vec3> given = std::move(points.Normals);
+  const std::size_t count = static_cast<std::size_t>(std::max(2, settings.NumberOfNeighbors));
+  InterruptedExecution interrupted(execution, 0.1);
+  points.Normals = PlaneFitNormals(points.Positions, nearest, count, interrupted);
+  if (!execution.Proceed(0.1))
+  {
+    return false;
+  }
+  if (settings.Source != NormalSource::PlaneFit)
+  {
+    const bool all = nearest.NumberOfRows() == 0 || nearest.Row(0).size() <= count;
+    const NeighborGraph fewer = all ? NeighborGraph() : FirstNeighbors(nearest, count, execution);
+    if (!SharpenNormals(points.Positions, all ? nearest : fewer, points.Spacing, points.Normals,
+          execution, 0.1, 0.2))
     {
       return false;
     }
-    if (settings.Source != NormalSource::PlaneFit)
-    {
-      const bool all = nearest.NumberOfRows() == 0 || nearest.Row(0).size() <= count;
-      const NeighborGraph fewer = all ? NeighborGraph() : FirstNeighbors(nearest, count, execution);
-      if (!SharpenNormals(points.Positions, all ? nearest : fewer, points.Spacing, points.Normals,
-            execution, 0.1, 0.2))
-      {
-        return false;
-      }
-    }
-    this->Report.EstimatedNormals = points.Size();
   }
-  if (takeGiven)
+  this->Report.EstimatedNormals = points.Size();
+  if (this->TakesGivenNormals())
   {
     Buffer<Vec3> normals = given;
-    if (!points.Normals.empty())
-    {
-      this->FillGaps(nearest, points.Normals, normals);
-    }
+    this->FillGaps(nearest, points.Normals, normals);
     points.Normals.swap(normals);
   }
-  this->Orient(nearest, given, execution);
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    if (given[i].dot(points.Normals[i]) < 0.0)
+    {
+      points.Normals[i] = -points.Normals[i];
+    }
+  }
+  this->Orient(nearest, this->Agree(nearest, given, execution), execution);
   return execution.Proceed(0.22);
 }
 
@@ -333,22 +351,19 @@ void PointWork::FillGaps(const NeighborGraph& nearest, const Buffer<Vec3>& fitte
   }
 }
 
-void PointWork::Orient(const NeighborGraph& nearest, const Buffer<Vec3>& given,
-  Execution& execution)
+/// True if normals came with the points and neighbours have theirs on the same side.
+bool PointWork::Agree(const NeighborGraph& nearest, const Buffer<Vec3>& given,
+  Execution& execution) const
+{
+  // Zero vectors agree with everything, but tell no side.
+  return this->MissingNormals < this->Points.Size() &&
+    ShareOfOpposedNormals(nearest, given, execution) <= 0.05;
+}
+
+void PointWork::Orient(const NeighborGraph& nearest, bool agree, Execution& execution)
 {
   PointSet& points = this->Points;
-  for (std::size_t i = 0; i < given.size(); ++i)
-  {
-    if (given[i].dot(points.Normals[i]) < 0.0)
-    {
-      points.Normals[i] = -points.Normals[i];
-    }
-  }
   const NormalOrientation wanted = this->Settings.Normals.Orientation;
-  // Zero vectors agree with everything, but tell no side.
-  const bool anyGiven =
-    std::any_of(given.begin(), given.end(), [](const Vec3& n) { return !n.isZero(0.0); });
-  const bool agree = anyGiven && ShareOfOpposedNormals(nearest, given) <= 0.05;
   if (wanted == NormalOrientation::SpanningTree ||
     (wanted == NormalOrientation::Automatic && !agree))
   {
@@ -369,10 +384,10 @@ bool DenoisePoints(PointCloud& cloud, const PointDenoisingSettings& settings,
   report.NotFinite = all - order.size();
   PointWork work(settings, report);
   PointSet& points = work.Points;
-  points.Positions = Gather(cloud.Positions, order);
+  points.Positions = Gather(cloud.Positions, order, execution);
   if (!cloud.Normals.empty())
   {
-    points.Normals = Gather(cloud.Normals, order);
+    points.Normals = Gather(cloud.Normals, order, execution);
   }
   if (!execution.Proceed(0.01) || !work.SetUp(execution) || !work.Run(execution) ||
     !execution.Proceed(1.0))
@@ -394,20 +409,24 @@ bool DenoisePoints(PointCloud& cloud, const PointDenoisingSettings& settings,
   {
     cloud.Classes.assign(all, FeatureClass::Flat);
   }
-  for (std::size_t k = 0; k < order.size(); ++k)
-  {
-    const Index i = order[k];
-    cloud.Positions[i] = points.Positions[k];
-    cloud.Status[i] = points.Status[k];
-    if (!points.Normals.empty())
+  execution.For(order.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      cloud.Normals[i] = points.Normals[k];
-    }
-    if (!points.Classes.empty())
-    {
-      cloud.Classes[i] = points.Classes[k];
-    }
-  }
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const Index i = order[k];
+        cloud.Positions[i] = points.Positions[k];
+        cloud.Status[i] = points.Status[k];
+        if (!points.Normals.empty())
+        {
+          cloud.Normals[i] = points.Normals[k];
+        }
+        if (!points.Classes.empty())
+        {
+          cloud.Classes[i] = points.Classes[k];
+        }
+      }
+    });
   return true;
 }
 

@@ -42,14 +42,10 @@ Buffer<double> PointSpacings(const Buffer<Vec3>& points, const NeighborGraph& ne
 
 double MedianSpacing(const Buffer<double>& spacings)
 {
-  Buffer<double> apart;
-  for (const double spacing : spacings)
-  {
-    if (spacing > 0.0)
-    {
-      apart.push_back(spacing);
-    }
-  }
+  Buffer<double> apart(spacings.size());
+  const auto end = std::copy_if(spacings.begin(), spacings.end(), apart.begin(),
+    [](double spacing) { return spacing > 0.0; });
+  apart.resize(static_cast<std::size_t>(end - apart.begin()));
   return Median(apart);
 }
 
@@ -60,10 +56,14 @@ NeighborGraph NearestOrderedPoints(const Buffer<Vec3>& points, std::size_t count
   count = std::min(count, size > 0 ? size - 1 : 0);
   NeighborGraph graph;
   graph.Offsets.resize(size + 1);
-  for (std::size_t i = 0; i <= size; ++i)
-  {
-    graph.Offsets[i] = i * count;
-  }
+  execution.For(size + 1,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        graph.Offsets[i] = i * count;
+      }
+    });
   graph.Ids.resize(size * count);
   if (count == 0)
   {
@@ -97,7 +97,7 @@ NeighborGraph PointsWithinRadius(const Buffer<Vec3>& points, double radius, std:
         // Chunks of rows begin with a run.
         if (i % RunLength == 0)
         {
-          search.TakeRuns(runs.BoxOf(i / RunLength), Above(radius));
+          search.TakeRuns(i / RunLength, Above(radius));
         }
         const std::size_t found = search.TakePoints(points[i], radius * radius);
         const std::size_t sorted = limit < found ? limit + 1 : found;

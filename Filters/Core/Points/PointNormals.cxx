@@ -39,8 +39,8 @@ bool SharpenNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest, do
   constexpr int rounds = 3;
   constexpr double eighth = 3.14159265358979323846 / 8.0;
   NormalFilter filter(nearest, WeightsBySimilarNormals(eighth));
-  const Buffer<double> ones(points.size(), 1.0);
-  filter.SetGeometry({ points, ones, 0.0 }, execution);
+  const Buffer<double> noAreas;
+  filter.SetGeometry({ points, noAreas, 0.0 }, execution);
 
   const RobustPlaneSettings fit{ 0.01 * spacing, 10 };
   Buffer<Vec3> sharpened(points.size());
@@ -65,20 +65,21 @@ bool SharpenNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest, do
   return true;
 }
 
-double ShareOfOpposedNormals(const NeighborGraph& nearest, const Buffer<Vec3>& normals)
+double ShareOfOpposedNormals(const NeighborGraph& nearest, const Buffer<Vec3>& normals,
+  Execution& execution)
 {
-  std::size_t pairs = 0;
-  std::size_t opposed = 0;
-  for (std::size_t i = 0; i < normals.size(); ++i)
-  {
-    const Span<Index> row = nearest.Row(i);
-    if (row.size() > 0 && !normals[i].isZero(0.0) && !normals[row[0]].isZero(0.0))
+  using Pairs = Eigen::Array2d; // all and opposed ones
+  const Pairs pairs = OrderedSum(execution, normals.size(), Pairs(0.0, 0.0),
+    [&](std::size_t i)
     {
-      ++pairs;
-      opposed += normals[i].dot(normals[row[0]]) < 0.0;
-    }
-  }
-  return pairs > 0 ? static_cast<double>(opposed) / static_cast<double>(pairs) : 0.0;
+      const Span<Index> row = nearest.Row(i);
+      if (row.size() == 0 || normals[i].isZero(0.0) || normals[row[0]].isZero(0.0))
+      {
+        return Pairs(0.0, 0.0);
+      }
+      return Pairs(1.0, normals[i].dot(normals[row[0]]) < 0.0 ? 1.0 : 0.0);
+    });
+  return pairs[0] > 0.0 ? pairs[1] / pairs[0] : 0.0;
 }
 
 }

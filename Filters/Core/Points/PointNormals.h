@@ -58,7 +58,8 @@ bool SharpenNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest, do
 
 /// Share of the points, of those with a normal and a nearest point that has one as well, whose
 /// normal makes an obtuse angle with that one's.
-double ShareOfOpposedNormals(const NeighborGraph& nearest, const Buffer<Vec3>& normals);
+double ShareOfOpposedNormals(const NeighborGraph& nearest, const Buffer<Vec3>& normals,
+  Execution& execution);
 
 /**
  * Gives normals consistent signs along a minimum spanning tree of the graph with edges in either

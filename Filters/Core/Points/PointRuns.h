@@ -64,11 +64,16 @@ public:
 
   Box BoxOf(std::size_t run) const;
 
+  /// Of the runs [family * Fan, (family + 1) * Fan), of which one must exist.
+  Box BoxOfFamily(std::size_t family) const;
+
   /// Level 0 has the boxes of the runs, level l + 1 those of the families of level l. The last
   /// level has one family.
   const std::vector<Buffer<Family>>& Levels() const { return this->Boxes; }
 
 private:
+  Box BoxAt(std::size_t level, std::size_t number) const;
+
   std::size_t Count;
   Buffer<double> Axes[3];
   std::vector<Buffer<Family>> Boxes;

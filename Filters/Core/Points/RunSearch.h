@@ -18,8 +18,8 @@ namespace SurfaceDenoising
 inline double Above(double length) { return length * (1.0 + 1e-14); }
 
 /**
- * The work of one thread: takes the runs near the box of a run, then of these the points near a
- * place, then sorts the points. Its memory grows to what the largest neighbourhood needs.
+ * The work of one thread: takes the runs near a run, then of these the points near a place, then
+ * sorts the points. Its memory grows to what the largest neighbourhood needs.
  */
 class RunSearch
 {
@@ -29,11 +29,8 @@ public:
   {
   }
 
-  /// Takes the runs whose boxes are at most distance away from the box.
-  void TakeRuns(const PointRuns::Box& box, double distance);
-
-  /// Of the runs taken, keeps those at most distance away from the box.
-  void KeepRuns(const PointRuns::Box& box, double distance);
+  /// Takes the runs whose boxes are at most distance away from that of a run.
+  void TakeRuns(std::size_t run, double distance);
 
   /// Takes the points at a squared distance of at most square from p, from the runs taken. Returns
   /// how many there are.
@@ -50,29 +47,54 @@ public:
   double LastSquare() const { return this->Last; }
 
 private:
+  using Box = PointRuns::Box;
+
+  /// Some runs with their boxes, axis by axis.
+  struct RunList
+  {
+    std::size_t Count = 0;
+    Buffer<Index> Numbers;
+    Buffer<double> Low[3];
+    Buffer<double> High[3];
+
+    void Add(Index run, const PointRuns::Family& family, std::size_t child);
+    void Grow(std::size_t size);
+  };
+
+  bool FindRuns(const Box& box, double distance, std::size_t most, RunList& list);
+  bool KnowsAround(std::size_t family, double distance);
+  std::size_t NearRuns(const RunList& list, const Box& box, double square);
   bool RankPoints(std::size_t count);
-  void AddRun(Index run, const PointRuns::Family& family, std::size_t child);
 
   const PointRuns& Runs;
   std::vector<std::pair<std::size_t, std::size_t>> Families; ///< to be visited: level and number
 
-  /// Runs taken, with their boxes axis by axis.
-  std::size_t NumberOfRuns = 0;
-  Buffer<Index> TakenRuns;
-  Buffer<double> Low[3];
-  Buffer<double> High[3];
-  Buffer<double> Gaps; ///< squared distances of the boxes
-  Buffer<Index> NearRuns;
+  RunList Taken;
+  Buffer<double> Gaps; ///< squared distances of boxes
+  Buffer<Index> Near;  ///< numbers of runs, or where these are in a list
 
-  /// Points taken, in no order.
-  std::size_t NumberOfPoints = 0;
-  Buffer<Index> Numbers;
+  /// The runs at most AroundDistance away from a family of runs: all of these look there first.
+  RunList Around;
+  std::size_t AroundFamily = NoIndex;
+  double AroundDistance = 0.0;
+  bool AroundKnown = false;
+
+  /// Squared distances of the points of the runs in Near, one run after the other, and where among
+  /// them the points taken are.
   Buffer<double> Squares;
+  Buffer<Index> Places;
+  std::size_t NumberOfPoints = 0;
+  double Largest = 0.0; ///< what the squared distances of those taken are at most
 
+  Index NumberOf(Index place) const
+  {
+    return this->Near[place / RunLength] * Index(RunLength) + place % Index(RunLength);
+  }
+
+  Buffer<float> Keys;
   Buffer<Index> Order;
   double Last = 0.0;
   Buffer<std::pair<double, Index>> Pairs;
-  Buffer<std::int64_t> Ranks;
 };
 
 }

@@ -75,8 +75,8 @@ private:
     Use use) const
   {
     NormalFilter filter(points.Neighbors, this->WeightsOfArcs(points));
-    const Buffer<double> ones(points.Size(), 1.0);
-    SiteGeometry geometry{ points.Positions, ones, ShortestWay * points.Spacing };
+    const Buffer<double> noAreas;
+    SiteGeometry geometry{ points.Positions, noAreas, ShortestWay * points.Spacing };
     Buffer<double> factors;
     if (points.LocalScale)
     {
@@ -192,9 +192,10 @@ private:
     settings.Norm = L2Norm{ 1.0 };
     settings.SpatialSigma = width * points.Spacing;
     settings.Weighting = SiteWeight::Uniform;
+    settings.KeepFixedWeights = false; // there is one sweep
     NormalFilter filter(regions, settings);
-    const Buffer<double> ones(count, 1.0);
-    SiteGeometry geometry{ points.Positions, ones, 0.0 };
+    const Buffer<double> noAreas;
+    SiteGeometry geometry{ points.Positions, noAreas, 0.0 };
     Buffer<double> widths;
     if (points.LocalScale)
     {
@@ -257,8 +258,8 @@ private:
     settings.Weighting = SiteWeight::Uniform;
     settings.IncludeOwn = true;
     NormalFilter filter(points.Neighbors, settings);
-    const Buffer<double> ones(points.Size(), 1.0);
-    filter.SetGeometry({ points.Positions, ones, 0.0 }, execution);
+    const Buffer<double> noAreas;
+    filter.SetGeometry({ points.Positions, noAreas, 0.0 }, execution);
     Buffer<Vec3> toQuadrics;
     ComputeDisplacements(filter, { normals, normals, normals, normals }, points.Positions,
       { PointScheme::QuadricFit, 1.0, true }, toQuadrics, execution);

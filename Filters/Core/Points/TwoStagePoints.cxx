@@ -75,8 +75,8 @@ public:
       return true;
     }
     const TwoStageSettings& settings = this->Settings;
-    this->Areas.assign(points.Size(), 1.0);
-    for (std::size_t i = 0; i < points.Size() && settings.DensityWeights; ++i)
+    this->Areas.resize(settings.DensityWeights ? points.Size() : 0);
+    for (std::size_t i = 0; i < this->Areas.size(); ++i)
     {
       const double spacing = points.Spacings[i] / points.Spacing;
       this->Areas[i] = spacing * spacing;
@@ -84,8 +84,10 @@ public:
     const int steps = std::max(1, settings.NormalIterations + settings.PointIterations);
     const double middle = first + (last - first) * settings.NormalIterations / steps;
     std::unique_ptr<NormalFilter> filter;
-    return this->FilterNormals(points, filter, execution, first, middle) &&
+    const bool finished = this->FilterNormals(points, filter, execution, first, middle) &&
       this->MovePoints(points, filter, execution, middle, last);
+    Release(this->Spare);
+    return finished;
   }
 
 private:
@@ -116,10 +118,20 @@ private:
   {
     const PointWeights& one = this->Settings.Normals;
     const PointWeights& other = this->Settings.Points;
-    auto needsDistances = [](NormalArgument argument)
-    { return IsCurvature(argument) || argument == NormalArgument::BentArc; };
     return one.SpatialScale == other.SpatialScale && one.IncludeOwn == other.IncludeOwn &&
-      !needsDistances(one.Argument) && !needsDistances(other.Argument) && !points.LocalScale;
+      !NeedsDistances(one.Argument) && !NeedsDistances(other.Argument) && !points.LocalScale;
+  }
+
+  static bool NeedsDistances(NormalArgument argument)
+  {
+    return IsCurvature(argument) || argument == NormalArgument::BentArc;
+  }
+
+  /// True if so few sweeps follow that it does not pay to keep what is fixed.
+  bool SweepsAreFew(const PointSet& points) const
+  {
+    return this->Settings.NormalIterations < 2 && this->Settings.PointIterations < 2 &&
+      !points.LocalScale;
   }
 
   /// The engine with the weights of a stage, for the present positions.
@@ -138,6 +150,7 @@ private:
     settings.StepLength = this->Settings.StepLength;
     settings.Unoriented = this->Settings.Unoriented;
     settings.BendFactor = std::pow(points.Spacing, 4);
+    settings.KeepFixedWeights = !this->SweepsAreFew(points);
     auto filter = std::make_unique<NormalFilter>(points.Neighbors, settings);
 
     SiteGeometry geometry{ points.Positions, this->Areas, 1e-12 * points.Spacing };
@@ -185,7 +198,8 @@ private:
     }
     PointPatchSettings patch = settings.Patch;
     patch.Unoriented = settings.Unoriented;
-    Buffer<Vec3> filtered(points.Size());
+    Buffer<Vec3>& filtered = this->Spare;
+    filtered.resize(points.Size());
     for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
     {
       if (!execution.Proceed(first + (last - first) * iteration / settings.NormalIterations))
@@ -261,7 +275,7 @@ private:
     {
       filter->FreezeWeights(fields, execution);
     }
-    Buffer<Vec3> places;
+    Buffer<Vec3>& places = this->Spare;
     for (int iteration = 0; iteration < settings.PointIterations; ++iteration)
     {
       if (!execution.Proceed(first + (last - first) * iteration / settings.PointIterations))
@@ -276,6 +290,7 @@ private:
 
   TwoStageSettings Settings;
   bool ChoseScale = false;
+  Buffer<Vec3> Spare; ///< for what comes out of a sweep: fresh memory costs as much as its work
   Buffer<double> Areas;
   Buffer<double> ScaleFactors; ///< of the norm, per point
 };
