@@ -269,10 +269,10 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
   {
     return false;
   }
-  result.WorstError = result.Error *
-    std::exp(
-      MisfitCost * witness.Misfit * std::min(1.0, WeakAngle / std::max(Softening, angleBefore)));
-  if (angleBefore < StrongAngle)
+  const double doubt =
+    std::clamp((StrongAngle - angleBefore) / (StrongAngle - WeakAngle), 0.0, 1.0);
+  result.WorstError = result.Error * std::exp(MisfitCost * doubt * witness.Misfit);
+  if (doubt > 0.0)
   {
     result.WorstError = std::max(result.WorstError, std::exp(Logarithm(angle, before)));
   }

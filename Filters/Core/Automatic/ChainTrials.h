@@ -41,10 +41,10 @@ struct TrialResult
   /// The mean angle to the true normals that it leaves over that of the input: the geometric mean
   /// over the truths. Infinite if no truth fits at all.
   double Error = std::numeric_limits<double>::infinity();
-  /// The error at worst: Error exp(10 misfit min(1, 20 degrees / angle of the input)), and, unless
-  /// the noise turns faces by more than 35 degrees on average, at least what the candidate leaves
-  /// where the misfit is least, smooth or not. Detail that fits no truth can be taken for weak
-  /// noise, hardly for strong noise.
+  /// The error at worst: Error exp(10 d misfit), d from 1 if the noise turns faces by 20 degrees on
+  /// average to 0 if by 35: detail that fits no truth can be taken for weak noise, hardly for
+  /// strong noise. If d > 0, at least what the candidate leaves where the misfit is least, smooth
+  /// or not.
   double WorstError = std::numeric_limits<double>::infinity();
 };
 
