@@ -23,10 +23,6 @@ namespace
 constexpr std::size_t SampleFaces = 12000;
 /// Patches have rims. Meshes up to this size are taken as they are.
 constexpr std::size_t WholeFaces = 14000;
-/// A gain below this is not certain: the error must fall to this share of that of the input, even
-/// at worst.
-constexpr double LargestError = 0.7;
-
 std::string Describe(const SurfaceNoise& noise)
 {
   char text[128];
@@ -99,7 +95,7 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, 
     return false;
   }
   plan.Reason = Describe(plan.Noise);
-  if (!(result.WorstError < LargestError))
+  if (!result.Certain)
   {
     plan.Reason += ", but no method would make it less for certain: nothing to do";
     return execution.Proceed(1.0);

@@ -32,11 +32,15 @@ constexpr double Softening = 0.1;
 /// The search for the deviation of the noise: from 0 to these mean edge lengths, halved as often.
 constexpr double MostNoise = 2.0;
 constexpr int Bisections = 12;
+/// A gain below this is not certain: the error must fall to this share of that of the input.
+constexpr double LargestError = 0.9;
+/// The same if noise and detail can be confused, for the truths that count and for any other.
+constexpr double LargestDoubtfulError = 0.62;
+constexpr double LargestWitnessError = 0.7;
 constexpr double MisfitCost = 10.0;
 constexpr double WeakAngle = 20.0;
 constexpr double StrongAngle = 35.0;
 
-constexpr TrialNoise Kinds[] = { TrialNoise::AlongNormals, TrialNoise::RandomDirections };
 const std::vector<double> BendFractions = { 0.1, 0.25, 0.5, 0.75, 0.9 };
 constexpr std::size_t LowerQuartile = 1;
 constexpr std::size_t Middle = 2;
@@ -115,7 +119,7 @@ bool ChainTrials::Add(const TriangleMesh& surface, Execution& execution)
   const double cost = this->Sample.FoldedShare(right) +
     RoughnessCost * this->Sample.Bends(right, { BendFractions[Middle] })[0] /
       (this->BendsBefore[Middle] + Softening);
-  for (const TrialNoise kind : Kinds)
+  for (const TrialNoise kind : { TrialNoise::AlongNormals, TrialNoise::RandomDirections })
   {
     double& least = this->LeastSum[static_cast<int>(kind)];
     if (!first && least > std::min(this->LeastSum[0], this->LeastSum[1]) + ClearGap)
@@ -260,21 +264,35 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
   result.Best =
     std::size_t(std::min_element(logarithms.begin(), logarithms.end()) - logarithms.begin());
   result.Error = std::exp(logarithms[result.Best] / weights);
-  // The truth that fits best may be one that is not smooth.
+  // The truth that fits best may be one that is not smooth. Then what is best for it is safer.
   Truth& witness = *std::min_element(this->Truths.begin(), this->Truths.end(),
     [](const Truth& a, const Truth& b) { return a.Misfit < b.Misfit; });
-  const double before = this->AddNoise(witness, strength, execution);
-  double angle = 0.0;
-  if (!this->AngleAfter(this->Candidates[result.Best]->Steps, witness, angle, execution))
-  {
-    return false;
-  }
   const double doubt =
     std::clamp((StrongAngle - angleBefore) / (StrongAngle - WeakAngle), 0.0, 1.0);
-  result.WorstError = result.Error * std::exp(MisfitCost * doubt * witness.Misfit);
+  result.Certain = result.Error < LargestError;
   if (doubt > 0.0)
   {
-    result.WorstError = std::max(result.WorstError, std::exp(Logarithm(angle, before)));
+    const double limit = LargestDoubtfulError * std::exp(-MisfitCost * doubt * witness.Misfit);
+    const double before = this->AddNoise(witness, strength, execution);
+    std::vector<double> errors(count, Infinite);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const std::size_t next = (result.Best + k) % count;
+      double angle = 0.0;
+      if (!this->AngleAfter(this->Candidates[next]->Steps, witness, angle, execution))
+      {
+        return false;
+      }
+      errors[next] = std::exp(Logarithm(angle, before));
+      if (k == 0 && errors[next] < LargestWitnessError)
+      {
+        result.Certain = result.Error < limit;
+        return execution.Proceed(1.0);
+      }
+    }
+    result.Best = std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
+    result.Error = errors[result.Best];
+    result.Certain = result.Error < limit;
   }
   return execution.Proceed(1.0);
 }

@@ -41,11 +41,13 @@ struct TrialResult
   /// The mean angle to the true normals that it leaves over that of the input: the geometric mean
   /// over the truths. Infinite if no truth fits at all.
   double Error = std::numeric_limits<double>::infinity();
-  /// The error at worst: Error exp(10 d misfit), d from 1 if the noise turns faces by 20 degrees on
-  /// average to 0 if by 35: detail that fits no truth can be taken for weak noise, hardly for
-  /// strong noise. If d > 0, at least what the candidate leaves where the misfit is least, smooth
-  /// or not.
-  double WorstError = std::numeric_limits<double>::infinity();
+  /**
+   * True if the error is certain to be less than that of the input. Detail that fits no truth can
+   * be taken for weak noise, hardly for strong noise: with d from 1 if the noise turns faces by 20
+   * degrees on average to 0 if by 35, Error must be below 0.62 exp(-10 d misfit), or below 0.9 if d
+   * is 0.
+   */
+  bool Certain = false;
 };
 
 class ChainTrials
@@ -56,8 +58,10 @@ public:
   ~ChainTrials();
 
   /**
-   * Finds the candidate with the least expected error, the first of several. strength scales the
-   * noise that is added; it is above 0. Returns false if the execution asked to stop.
+   * Finds the candidate with the least expected error, the first of several; if d > 0 and it leaves
+   * more than 0.7 for the truth with the least misfit, smooth or not, the best for that one.
+   * strength scales the noise that is added; it is above 0. Returns false if the execution asked to
+   * stop.
    */
   bool Run(double strength, TrialResult& result, Execution& execution);
 
