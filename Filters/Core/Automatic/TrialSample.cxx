@@ -16,6 +16,9 @@ namespace
 
 constexpr double Degrees = 180.0 / 3.14159265358979323846;
 
+/// Noise in random directions has at least this part along the surface of what it has across.
+constexpr double LeastPart = 0.7;
+
 /// The angle between unit vectors at this distance.
 double AngleAt(double distance) { return 2.0 * std::asin(std::min(1.0, 0.5 * distance)) * Degrees; }
 
@@ -131,7 +134,8 @@ Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind) co
     along += (step - height * noise[v]).squaredNorm();
   }
   // Two directions along the surface, one across.
-  const double part = across > 0.0 ? std::min(1.0, std::sqrt(0.5 * along / across)) : 0.0;
+  const double part =
+    across > 0.0 ? std::clamp(std::sqrt(0.5 * along / across), LeastPart, 1.0) : LeastPart;
 
   NoiseParameters parameters;
   parameters.Deviation = 1.0;

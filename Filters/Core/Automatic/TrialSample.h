@@ -51,7 +51,7 @@ public:
    * sample. They depend on the place of a vertex in the order of distances from the middle alone,
    * and turn with the surface. Of those in random directions, the part along the surface is as
    * much smaller than that along the normals as that of the step from the surface to the sample:
-   * what filters have not taken away is in the surface still.
+   * what filters have not taken away is in the surface still. It is at least 0.7 of it.
    */
   Buffer<Vec3> Noise(const TriangleMesh& surface, TrialNoise kind) const;
 
