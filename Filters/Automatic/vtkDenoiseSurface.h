@@ -30,9 +30,11 @@
  * Results are the same on any number of threads. A mesh with a coordinate that is not finite is an
  * error; such points of a cloud stay as they are. An empty input passes through.
  *
- * How noise is estimated and the choice is made: C. Stein, "Estimation of the mean of a
- * multivariate normal distribution", Annals of Statistics 9(6), 1981; S. Ramani, T. Blu, M. Unser,
- * "Monte-Carlo SURE", IEEE Trans. Image Processing 17(9), 2008; applied to normals here.
+ * How the choice is made for meshes: B. Efron, R. Tibshirani, "An Introduction to the Bootstrap",
+ * 1993; C. Gourieroux, A. Monfort, E. Renault, "Indirect inference", Journal of Applied
+ * Econometrics 8, 1993. For clouds: C. Stein, "Estimation of the mean of a multivariate normal
+ * distribution", Annals of Statistics 9(6), 1981; S. Ramani, T. Blu, M. Unser, "Monte-Carlo SURE",
+ * IEEE Trans. Image Processing 17(9), 2008. All of it is applied to normals here.
  */
 
 #ifndef vtkDenoiseSurface_h

@@ -3,7 +3,6 @@
 
 #include "vtkFaceNormalFilter.h"
 
-#include "Automatic/AutomaticMesh.h"
 #include "Automatic/MeshTuning.h"
 #include "Methods.h"
 #include "SurfaceWork.h"

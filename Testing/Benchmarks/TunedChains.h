@@ -10,7 +10,7 @@
 #ifndef TunedChains_h
 #define TunedChains_h
 
-#include "Automatic/ChainRisk.h"
+#include "Automatic/MethodChain.h"
 
 #include <string>
 

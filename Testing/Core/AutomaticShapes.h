@@ -11,7 +11,9 @@
 
 #include "RandomMeshes.h"
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 struct AutomaticShape
@@ -43,6 +45,58 @@ inline SurfaceDenoising::TriangleMesh Torus(int n)
       auto at = [n](int k, int m) { return Index((k % (2 * n)) * n + m % n); };
       mesh.Triangles.push_back({ at(i, j), at(i + 1, j), at(i, j + 1) });
       mesh.Triangles.push_back({ at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) });
+    }
+  }
+  return mesh;
+}
+
+/// The boundary of an ellipsoid of unit voxels, two triangles per side of a voxel.
+inline SurfaceDenoising::TriangleMesh Voxels(int radius)
+{
+  using namespace SurfaceDenoising;
+  TriangleMesh mesh;
+  std::map<std::array<int, 3>, Index> places;
+  const auto inside = [radius](const std::array<int, 3>& p)
+  {
+    const double x = p[0] + 0.5;
+    const double y = p[1] + 0.5;
+    const double z = p[2] + 0.5;
+    return x * x + 1.7 * y * y + 0.8 * z * z + 0.3 * x * y < radius * radius;
+  };
+  const auto vertex = [&](const std::array<int, 3>& p)
+  {
+    const auto added = places.insert({ p, static_cast<Index>(mesh.Positions.size()) });
+    if (added.second)
+    {
+      mesh.Positions.push_back(Vec3(p[0], p[1], p[2]));
+    }
+    return added.first->second;
+  };
+  const int size = 3 * radius;
+  for (int cell = 0; cell < size * size * size; ++cell)
+  {
+    const std::array<int, 3> p = { cell % size - size / 2, cell / size % size - size / 2,
+      cell / size / size - size / 2 };
+    for (int side = 0; inside(p) && side < 6; ++side)
+    {
+      const int axis = side / 2;
+      std::array<int, 3> next = p;
+      next[axis] += side % 2 == 1 ? 1 : -1;
+      if (inside(next))
+      {
+        continue;
+      }
+      std::array<Index, 4> corners;
+      for (int k = 0; k < 4; ++k)
+      {
+        std::array<int, 3> corner = p;
+        corner[axis] += side % 2;
+        corner[(axis + 1) % 3] += k == 1 || k == 2 ? 1 : 0;
+        corner[(axis + 2) % 3] += k >= 2 ? 1 : 0;
+        corners[side % 2 == 1 ? k : 3 - k] = vertex(corner);
+      }
+      mesh.Triangles.push_back({ corners[0], corners[1], corners[2] });
+      mesh.Triangles.push_back({ corners[0], corners[2], corners[3] });
     }
   }
   return mesh;

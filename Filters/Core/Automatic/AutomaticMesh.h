@@ -6,10 +6,11 @@
  * @brief Denoises a mesh without being told anything.
  *
  * Spikes of impulsive noise are repaired (SpikeRepair.h) before anything else, and no other vertex
- * is touched for it. The noise of the surface is estimated (SurfaceNoise.h). Without noise, nothing
- * is done. Otherwise some chains of published methods, weak and strong ones, for flat sides with
- * sharp edges and for organic shapes, are tried on the mesh, or on patches of a large one, and the
- * chain whose normals are expected to have the smallest error (ChainRisk.h) is run.
+ * is touched for it. The noise of the surface is estimated (SurfaceNoise.h) for the report. Some
+ * chains of published methods, weak and strong ones, for flat sides with sharp edges and for
+ * organic shapes, are tried on the mesh, or on patches of a large one, and the chain whose normals
+ * are expected to have the smallest error (ChainTrials.h) is run. If that error is not certain to
+ * be below that of the input, nothing is done.
  */
 
 #ifndef SurfaceDenoising_AutomaticMesh_h
@@ -17,7 +18,7 @@
 
 #include "../Methods.h"
 #include "AutomaticSettings.h"
-#include "ChainRisk.h"
+#include "MethodChain.h"
 #include "SurfaceNoise.h"
 
 #include <string>
@@ -32,8 +33,8 @@ struct AutomaticPlan
   MethodChain Steps;           ///< settings in the order they run; none: leave the mesh alone
   std::vector<Method> Methods; ///< what each step is called in the table of methods
   std::string Reason;          ///< a sentence for people
-  /// The expected mean square error of the normals after the steps over that of the input, not
-  /// below 0; 1 without steps.
+  /// The expected mean angle to the true normals after the steps over that of the input, see
+  /// ChainTrials.h; 1 without steps.
   double ExpectedError = 1.0;
 };
 
@@ -48,13 +49,6 @@ struct AutomaticReport
   double PlanSeconds = 0.0;
   double DenoiseSeconds = 0.0;
 };
-
-/// False if there is no noise that could be told from the shape of a coarse mesh.
-bool IsNoisy(const SurfaceNoise& noise, double strength = 1.0);
-
-/// The deviation of the noise to assume, a length: somewhat more than was found. foldedShare is
-/// that of ChainRisk.
-double AssumedDeviation(const SurfaceNoise& noise, double foldedShare, double strength = 1.0);
 
 /**
  * Finds the plan for a mesh without seams and with faces that agree on outside (see PreparedMesh).

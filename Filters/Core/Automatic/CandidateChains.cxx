@@ -63,6 +63,17 @@ Part Wide(int outer, double relaxation)
   return part;
 }
 
+/// Flattens sides and rounds what is sharper than 50 degrees or so.
+Part Cosine()
+{
+  Part part{ Method::ThresholdedCosine, SettingsOf(Method::ThresholdedCosine) };
+  part.Settings.NormScale = 0.6;
+  part.Settings.OuterIterations = 1;
+  part.Settings.NormalIterations = 10;
+  part.Settings.VertexIterations = 10;
+  return part;
+}
+
 /// A narrow scale, which flattens each side.
 Part Narrow()
 {
@@ -72,12 +83,12 @@ Part Narrow()
 }
 
 CandidateChain Chain(SurfaceType type, const char* purpose, const std::vector<Part>& parts,
-  bool unfolds = false)
+  bool makesTruth = false)
 {
   CandidateChain chain;
   chain.Type = type;
   chain.Purpose = purpose;
-  chain.Unfolds = unfolds;
+  chain.MakesTruth = makesTruth;
   for (const Part& part : parts)
   {
     chain.Methods.push_back(part.Id);
@@ -92,32 +103,41 @@ const std::vector<CandidateChain>& CandidateChains()
 {
   static const char* const fine = "fine detail under weak noise";
   static const char* const organic = "curved surface";
+  static const char* const mixed = "curved surface with edges";
   static const char* const sides = "flat sides with sharp edges";
-  static const char* const folded = "flat sides with sharp edges, folded by strong noise";
+  static const char* const strong = "flat sides with sharp edges under strong noise";
   static const std::vector<CandidateChain> chains = {
-    Chain(SurfaceType::Curved, fine, { Bilateral(0.2, 5, 10) }),
-    Chain(SurfaceType::Curved, fine, { Bilateral(0.35, 5, 10) }),
-    Chain(SurfaceType::Curved, organic, { Bilateral(0.5, 4, 7) }),
-    Chain(SurfaceType::Curved, organic, { Mean(2) }),
+    Chain(SurfaceType::Any, fine, { Bilateral(0.2, 5, 10) }),
+    Chain(SurfaceType::Any, fine, { Bilateral(0.35, 5, 10) }, true),
+    Chain(SurfaceType::Any, mixed, { Bilateral(0.5, 10, 10) }),
+    Chain(SurfaceType::Curved, organic, { Mean(2) }, true),
     Chain(SurfaceType::Curved, organic, { Mean(5) }),
-    Chain(SurfaceType::Curved, organic, { CurvatureDiffusion() }),
+    Chain(SurfaceType::Curved, organic, { CurvatureDiffusion() }, true),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 1) }),
-    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 2) }),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 2) }, true),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 3) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 5) }),
-    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 8) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 15) }),
-    Chain(SurfaceType::Any, "curved surface with edges",
-      { Diffusion(90.0, 3), Diffusion(40.0, 3) }),
-    Chain(SurfaceType::Any, "curved surface with edges", { Wide(10, 0.2) }),
-    Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }),
-    Chain(SurfaceType::Sharp, folded, { Wide(15, 0.1), Narrow() }, true),
-    Chain(SurfaceType::Sharp, folded, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }, true),
-    Chain(SurfaceType::Sharp, folded, { Diffusion(90.0, 2), Wide(15, 0.05), Narrow() }, true),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 30) }, true),
+    Chain(SurfaceType::Curved, organic, { Wide(10, 0.2), Diffusion(90.0, 3) }),
+    Chain(SurfaceType::Any, mixed, { Cosine() }),
+    Chain(SurfaceType::Any, mixed, { Wide(15, 0.05) }),
+    Chain(SurfaceType::Any, mixed, { Wide(60, 0.2) }, true),
+    Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }, true),
+    Chain(SurfaceType::Sharp, strong, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }),
+    Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 1), Wide(15, 0.05), Narrow() }),
+    Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 2), Wide(30, 0.05), Narrow() }, true),
   };
   return chains;
 }
 
 MethodChain PilotChain() { return { Diffusion(90.0, 2).Settings }; }
+
+const std::vector<MethodChain>& ProbeChains()
+{
+  static const std::vector<MethodChain> chains = { { Bilateral(0.35, 5, 10).Settings },
+    { Mean(2).Settings }, { CurvatureDiffusion().Settings }, PilotChain() };
+  return chains;
+}
 
 }

@@ -11,7 +11,7 @@
 
 #include "../Methods.h"
 #include "AutomaticSettings.h"
-#include "ChainRisk.h"
+#include "MethodChain.h"
 
 namespace SurfaceDenoising
 {
@@ -20,7 +20,7 @@ struct CandidateChain
 {
   const char* Purpose; ///< what it is for, for people
   SurfaceType Type;
-  bool Unfolds; ///< takes folds out first, at the cost of detail
+  bool MakesTruth = false; ///< its results serve as truths, see ChainTrials
   std::vector<Method> Methods;
   MethodChain Steps;
 };
@@ -28,8 +28,11 @@ struct CandidateChain
 /// All of them, from weak to strong for each kind of surface. A new one is added here.
 const std::vector<CandidateChain>& CandidateChains();
 
-/// A smooth surface of any noisy one, to measure others against.
+/// A chain that leaves no more than the shape at large.
 MethodChain PilotChain();
+
+/// Quick chains that see a surface differently, to tell surfaces apart.
+const std::vector<MethodChain>& ProbeChains();
 
 }
 

@@ -53,6 +53,7 @@ MeshSample TakeSample(const TriangleMesh& mesh, std::size_t faces, Execution& ex
 {
   MeshSample sample;
   const Vec3 middle = MiddleOf(mesh, execution);
+  sample.Middle = middle;
   Buffer<unsigned char> chosen(mesh.NumberOfFaces(), 1); // 0: not there, 1: inner, 2: near a rim
   if (mesh.NumberOfFaces() > faces)
   {

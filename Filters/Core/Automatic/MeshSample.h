@@ -17,6 +17,7 @@ namespace SurfaceDenoising
 struct MeshSample
 {
   TriangleMesh Mesh;
+  Vec3 Middle = Vec3::Zero(); ///< the mean of the vertices of the whole mesh
   /// Per vertex of Mesh: its place in the order of distances from the middle of the vertices. A
   /// number that the order of vertices and rigid motions leave as it is, for random numbers.
   Buffer<Index> Keys;

@@ -4,7 +4,6 @@
 #include "MeshTuning.h"
 
 #include "../Stopwatch.h"
-#include "AutomaticMesh.h"
 #include "CandidateChains.h"
 #include "ProgressShare.h"
 
@@ -17,6 +16,21 @@ namespace
 /// Faces that values are tried on, each of them twice, and those that the best are confirmed on.
 constexpr std::size_t TrialFaces = 5000;
 constexpr std::size_t FineFaces = 16000;
+
+/// Noise below this, in mean edge lengths, is not told from the shape of coarse meshes.
+constexpr double LeastLevel = 0.035;
+
+/**
+ * The deviation of the noise to assume: somewhat more than was found. Noise that is taken for too
+ * strong costs a little detail, noise that is taken for too weak leaves most of it. Weak noise is
+ * found too strong already. Many folded faces say that the noise has any direction; it is stronger
+ * than its part along the normals looks.
+ */
+double AssumedDeviation(const SurfaceNoise& noise, double foldedShare)
+{
+  const double caution = foldedShare > 0.02 ? 1.3 : std::min(1.1, 0.95 + noise.Level);
+  return caution * noise.Deviation;
+}
 
 /// The repaired mesh.
 bool Repair(TriangleMesh& mesh, Execution& execution)
@@ -33,7 +47,7 @@ bool Repair(TriangleMesh& mesh, Execution& execution)
 class MeshJudge : public OpenSettings::Judge
 {
 public:
-  MeshJudge(ChainRisk& risk, const MeshOperation& method)
+  MeshJudge(MeshRisk& risk, const MeshOperation& method)
     : Risk(risk)
     , Operation(method)
   {
@@ -48,12 +62,14 @@ public:
   std::vector<std::size_t> Ranking() const override { return RankRisks(this->Risks); }
 
 private:
-  ChainRisk& Risk;
+  MeshRisk& Risk;
   const MeshOperation& Operation;
   std::vector<GroupRisks> Risks;
 };
 
 }
+
+bool IsNoisy(const SurfaceNoise& noise) { return noise.Level >= LeastLevel; }
 
 bool MeasureNoise(const TriangleMesh& mesh, SurfaceNoise& noise, Execution& execution)
 {
@@ -83,8 +99,8 @@ bool TuneForMesh(const TriangleMesh& mesh, OpenSettings& open, const MeshOperati
   if (!report.NoNoiseFound)
   {
     const MeshSample small = TakeSample(repaired, TrialFaces, execution);
-    ChainRisk fine(large, PilotChain(), execution);
-    ChainRisk rough(small, PilotChain(), execution);
+    MeshRisk fine(large, PilotChain(), execution);
+    MeshRisk rough(small, PilotChain(), execution);
     const double deviation = AssumedDeviation(report.Noise, fine.FoldedShare());
     fine.Assume(deviation, execution);
     rough.Assume(deviation, execution);

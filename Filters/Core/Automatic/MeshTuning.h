@@ -5,14 +5,14 @@
  * @file MeshTuning.h
  * @brief Chooses the settings of a method for a mesh.
  *
- * Values are the better the smaller the expected error of the normals (ChainRisk.h) under the noise
+ * Values are the better the smaller the expected error of the normals (MeshRisk.h) under the noise
  * that the mesh has (SurfaceNoise.h), on the mesh or on patches of a large one.
  */
 
 #ifndef SurfaceDenoising_MeshTuning_h
 #define SurfaceDenoising_MeshTuning_h
 
-#include "ChainRisk.h"
+#include "MeshRisk.h"
 #include "OpenSettings.h"
 #include "SurfaceNoise.h"
 
@@ -26,6 +26,9 @@ struct MeshTuningReport
   bool NoNoiseFound = false;
   double Seconds = 0.0;
 };
+
+/// False if there is no noise that could be told from the shape of a coarse mesh.
+bool IsNoisy(const SurfaceNoise& noise);
 
 /// The noise of a mesh as it comes, or of patches of a large one. Returns false if the execution
 /// asked to stop.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * @file ChainRisk.h
+ * @file MeshRisk.h
  * @brief How wrong a denoised surface is, without knowing the right one.
  *
  * Let y = x + e be positions with white noise e of deviation sigma along the normals, g(y) what a
@@ -22,24 +22,16 @@
  * flattest surroundings to the sharpest. Nothing means that a risk is not negative.
  */
 
-#ifndef SurfaceDenoising_ChainRisk_h
-#define SurfaceDenoising_ChainRisk_h
+#ifndef SurfaceDenoising_MeshRisk_h
+#define SurfaceDenoising_MeshRisk_h
 
-#include "../MeshDenoising.h"
 #include "MeshSample.h"
+#include "MethodChain.h"
 
 #include <functional>
 
 namespace SurfaceDenoising
 {
-
-/// Methods one after the other.
-using MethodChain = std::vector<MeshDenoisingSettings>;
-
-/// Runs all of them on the mesh; their facts of the last are in the report. Returns false if the
-/// execution asked to stop.
-bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Buffer<Vec3>& normals,
-  MeshDenoisingReport& report, Execution& execution);
 
 /// What moves the vertices of a mesh. Returns false if the execution asked to stop.
 using MeshOperation = std::function<bool(TriangleMesh& mesh, Execution& execution)>;
@@ -48,12 +40,12 @@ using MeshOperation = std::function<bool(TriangleMesh& mesh, Execution& executio
 constexpr std::size_t RiskGroups = 8;
 using GroupRisks = std::array<double, RiskGroups>;
 
-class ChainRisk
+class MeshRisk
 {
 public:
   /// The sample must outlive this. pilot makes a smooth surface of the sample, whose faces define
   /// J.
-  ChainRisk(const MeshSample& sample, const MethodChain& pilot, Execution& execution);
+  MeshRisk(const MeshSample& sample, const MethodChain& pilot, Execution& execution);
 
   /// Share of the faces of the input that look away from those of the pilot: noise in all
   /// directions folds a surface, noise along its normals hardly.
@@ -63,23 +55,14 @@ public:
   void Assume(double deviation, Execution& execution);
 
   /**
-   * The estimated mean square error of the normals after the chain, over that of the input (which
-   * is about 1), per group. Plus half the share of faces that look away from the pilot: folds are
-   * no small angles and J does not see them all. Plus, in the flatter half of the groups, how rough
-   * the result is, the mean square difference of adjacent normals over that of the input: of noise
-   * with heavy tails, Stein's identity does not see the spikes that are left. An empty chain is the
-   * input. Returns false if the execution asked to stop.
+   * The estimated mean square error of the normals after the operation, over that of the input
+   * (which is about 1), per group. Plus half the share of faces that look away from the pilot:
+   * folds are no small angles and J does not see them all. Plus, in the flatter half of the groups,
+   * how rough the result is, the mean square difference of adjacent normals over that of the input:
+   * of noise with heavy tails, Stein's identity does not see the spikes that are left. Returns
+   * false if the execution asked to stop.
    */
-  bool Of(const MethodChain& chain, GroupRisks& risks, Execution& execution);
-
-  /// The same after any other operation.
   bool Of(const MeshOperation& operation, GroupRisks& risks, Execution& execution);
-
-  /**
-   * The mean square of what the last chain took away from the flattest group, over that of the
-   * noise that is assumed. If all chains take away more than was assumed, there is more noise.
-   */
-  double RemovedFromFlats() const { return this->Removed; }
 
 private:
   void Group(const Buffer<Vec3>& vertexNormals);
@@ -93,7 +76,6 @@ private:
   const MeshSample& Sample;
   double Deviation = 0.0;
   double Folded = 0.0;
-  double Removed = 0.0;
   Buffer<Vec3> Normals;                  ///< of the pilot's faces
   Buffer<Vec3> VertexNormals;            ///< of the pilot
   Buffer<std::array<Vec3, 3>> Gradients; ///< of the hat functions of the corners
@@ -106,14 +88,11 @@ private:
 };
 
 /**
- * The number of the best of some risks, the first of several. What an angle is worth falls with its
- * size: least is the sum over the groups of sqrt(R_g - min R_g + 0.003), in the manner of a mean
- * angle, with the minimum over all risks. A chain that is good everywhere but at the edges is
- * better than one that is a little worse everywhere.
+ * The numbers of some risks, the best first. What an angle is worth falls with its size: best is
+ * the least sum over the groups of sqrt(R_g - min R_g + 0.003), in the manner of a mean angle, with
+ * the minimum over all risks. What is good everywhere but at the edges is better than what is a
+ * little worse everywhere.
  */
-std::size_t LeastRisk(const std::vector<GroupRisks>& risks);
-
-/// The numbers of the risks in that order, the best first.
 std::vector<std::size_t> RankRisks(const std::vector<GroupRisks>& risks);
 
 }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ChainRisk.h"
+#include "MeshRisk.h"
 
 #include "../Noise.h"
 #include "ProgressShare.h"
+#include "TrialSample.h"
 
 #include <cmath>
 #include <limits>
@@ -25,33 +26,9 @@ constexpr double RoughnessCost = 1.0;
 /// Risks that differ by less are the same.
 constexpr double Softening = 0.003;
 
-Buffer<Vec3> NormalsOf(const TriangleMesh& mesh, Execution& execution)
-{
-  FaceGeometry geometry;
-  ComputeFaceGeometry(mesh, 0.0, geometry, execution);
-  return std::move(geometry.Normals);
 }
 
-}
-
-bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Buffer<Vec3>& normals,
-  MeshDenoisingReport& report, Execution& execution)
-{
-  for (std::size_t k = 0; k < chain.size(); ++k)
-  {
-    ProgressShare share(execution, double(k) / double(chain.size()),
-      double(k + 1) / double(chain.size()));
-    normals.clear();
-    report = MeshDenoisingReport();
-    if (!DenoiseMesh(mesh, normals, chain[k], report, share))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-ChainRisk::ChainRisk(const MeshSample& sample, const MethodChain& pilot, Execution& execution)
+MeshRisk::MeshRisk(const MeshSample& sample, const MethodChain& pilot, Execution& execution)
   : Sample(sample)
 {
   TriangleMesh smooth = sample.Mesh;
@@ -92,7 +69,7 @@ ChainRisk::ChainRisk(const MeshSample& sample, const MethodChain& pilot, Executi
   this->Adjacent = EdgeAdjacentFaces(sample.Mesh, VertexStars(sample.Mesh), execution);
 }
 
-void ChainRisk::Group(const Buffer<Vec3>& vertexNormals)
+void MeshRisk::Group(const Buffer<Vec3>& vertexNormals)
 {
   this->VertexNormals.resize(vertexNormals.size());
   for (std::size_t v = 0; v < vertexNormals.size(); ++v)
@@ -126,7 +103,7 @@ void ChainRisk::Group(const Buffer<Vec3>& vertexNormals)
   }
 }
 
-void ChainRisk::Assume(double deviation, Execution& execution)
+void MeshRisk::Assume(double deviation, Execution& execution)
 {
   this->Deviation = deviation;
   this->Plus = this->Sample.Mesh;
@@ -145,10 +122,9 @@ void ChainRisk::Assume(double deviation, Execution& execution)
 
 /// Mean square difference between the normals of the faces of the flat groups and those of their
 /// neighbours.
-ChainRisk::FlatRoughness ChainRisk::RoughnessOf(const TriangleMesh& mesh,
-  Execution& execution) const
+MeshRisk::FlatRoughness MeshRisk::RoughnessOf(const TriangleMesh& mesh, Execution& execution) const
 {
-  const Buffer<Vec3> normals = NormalsOf(mesh, execution);
+  const Buffer<Vec3> normals = FaceNormals(mesh, execution);
   FlatRoughness roughness;
   for (std::size_t g = 0; g < FlatGroups; ++g)
   {
@@ -169,7 +145,7 @@ ChainRisk::FlatRoughness ChainRisk::RoughnessOf(const TriangleMesh& mesh,
   return roughness;
 }
 
-Vec3 ChainRisk::Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size_t face) const
+Vec3 MeshRisk::Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size_t face) const
 {
   const Triangle& t = this->Sample.Mesh.Triangles[face];
   Vec3 turn(0.0, 0.0, 0.0);
@@ -180,19 +156,7 @@ Vec3 ChainRisk::Turn(const Buffer<Vec3>& to, const Buffer<Vec3>& from, std::size
   return turn;
 }
 
-bool ChainRisk::Of(const MethodChain& chain, GroupRisks& risks, Execution& execution)
-{
-  return this->Of(
-    [&](TriangleMesh& mesh, Execution& share)
-    {
-      Buffer<Vec3> normals;
-      MeshDenoisingReport report;
-      return RunChain(mesh, chain, normals, report, share);
-    },
-    risks, execution);
-}
-
-bool ChainRisk::Of(const MeshOperation& operation, GroupRisks& risks, Execution& execution)
+bool MeshRisk::Of(const MeshOperation& operation, GroupRisks& risks, Execution& execution)
 {
   TriangleMesh plus = this->Plus;
   TriangleMesh minus = this->Minus;
@@ -229,10 +193,6 @@ bool ChainRisk::Of(const MeshOperation& operation, GroupRisks& risks, Execution&
           return 2.0 * kept / noise - 1.0 + FoldCost * folded;
         });
     risks[g] = group.empty() ? 0.0 : sum / double(group.size());
-    if (g == 0)
-    {
-      this->Removed = group.empty() ? 0.0 : removed / double(group.size());
-    }
     if (g<FlatGroups&& this->RoughnessBefore[g]> 0.0)
     {
       risks[g] += RoughnessCost * roughness[g] / this->RoughnessBefore[g];
@@ -240,8 +200,6 @@ bool ChainRisk::Of(const MeshOperation& operation, GroupRisks& risks, Execution&
   }
   return true;
 }
-
-std::size_t LeastRisk(const std::vector<GroupRisks>& risks) { return RankRisks(risks).front(); }
 
 std::vector<std::size_t> RankRisks(const std::vector<GroupRisks>& risks)
 {

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TrialSample.h"
+
+#include "../Metrics.h"
+#include "../Noise.h"
+
+#include <cmath>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+constexpr double Degrees = 180.0 / 3.14159265358979323846;
+
+/// Noise in random directions has at least this part along the surface of what it has across.
+constexpr double LeastPart = 0.7;
+
+/// The angle between unit vectors at this distance.
+double AngleAt(double distance) { return 2.0 * std::asin(std::min(1.0, 0.5 * distance)) * Degrees; }
+
+Buffer<Vec3> VertexNormals(const TriangleMesh& mesh)
+{
+  Buffer<Vec3> normals(mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
+  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    const Vec3 area = mesh.DoubleAreaVector(f);
+    for (const Index v : mesh.Triangles[f])
+    {
+      normals[v] += area;
+    }
+  }
+  for (Vec3& normal : normals)
+  {
+    normal = normal.stableNormalized();
+  }
+  return normals;
+}
+
+}
+
+Buffer<Vec3> FaceNormals(const TriangleMesh& mesh, Execution& execution)
+{
+  FaceGeometry geometry;
+  ComputeFaceGeometry(mesh, 0.0, geometry, execution);
+  return std::move(geometry.Normals);
+}
+
+TriangleMesh Displaced(const TriangleMesh& mesh, const Buffer<Vec3>& steps, double factor)
+{
+  TriangleMesh moved = mesh;
+  for (std::size_t v = 0; v < steps.size(); ++v)
+  {
+    moved.Positions[v] += factor * steps[v];
+  }
+  return moved;
+}
+
+TrialSample::TrialSample(const MeshSample& sample, Execution& execution)
+  : Sample(sample)
+{
+  const CompressedRows stars = VertexStars(sample.Mesh);
+  this->MeanEdgeLength = TakeEdgeCensus(sample.Mesh, stars, execution).MeanEdgeLength;
+  this->Adjacent = EdgeAdjacentFaces(sample.Mesh, stars, execution);
+  for (std::size_t f = 0; f < sample.Inner.size(); ++f)
+  {
+    if (sample.Inner[f])
+    {
+      this->Faces.push_back(static_cast<Index>(f));
+    }
+  }
+}
+
+double TrialSample::MeanAngle(const Buffer<Vec3>& a, const Buffer<Vec3>& b,
+  Execution& execution) const
+{
+  const double sum = OrderedSum(execution, this->Faces.size(), 0.0,
+    [&](std::size_t k)
+    {
+      const Index f = this->Faces[k];
+      return AngleAt((a[f] - b[f]).norm());
+    });
+  return sum / std::max(1.0, double(this->Faces.size()));
+}
+
+std::vector<double> TrialSample::Bends(const Buffer<Vec3>& normals,
+  const std::vector<double>& fractions) const
+{
+  Buffer<double> squares;
+  squares.reserve(3 * this->Faces.size());
+  for (const Index f : this->Faces)
+  {
+    for (const Index g : this->Adjacent.Row(f))
+    {
+      squares.push_back((normals[f] - normals[g]).squaredNorm());
+    }
+  }
+  std::vector<double> bends;
+  for (const double fraction : fractions)
+  {
+    bends.push_back(squares.empty() ? 0.0 : AngleAt(std::sqrt(Percentile(squares, fraction))));
+  }
+  return bends;
+}
+
+double TrialSample::FoldedShare(const Buffer<Vec3>& normals) const
+{
+  std::size_t pairs = 0;
+  std::size_t folded = 0;
+  for (const Index f : this->Faces)
+  {
+    for (const Index g : this->Adjacent.Row(f))
+    {
+      ++pairs;
+      folded += normals[f].dot(normals[g]) < -0.5 ? 1 : 0;
+    }
+  }
+  return double(folded) / std::max(1.0, double(pairs));
+}
+
+Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind) const
+{
+  Buffer<Vec3> noise = VertexNormals(surface);
+  double across = 0.0;
+  double along = 0.0;
+  for (std::size_t v = 0; v < noise.size(); ++v)
+  {
+    const Vec3 step = this->Mesh().Positions[v] - surface.Positions[v];
+    const double height = step.dot(noise[v]);
+    across += height * height;
+    along += (step - height * noise[v]).squaredNorm();
+  }
+  // Two directions along the surface, one across.
+  const double part =
+    across > 0.0 ? std::clamp(std::sqrt(0.5 * along / across), LeastPart, 1.0) : LeastPart;
+
+  NoiseParameters parameters;
+  parameters.Deviation = 1.0;
+  parameters.Seed = 1;
+  const NoiseSource source(parameters, noise.size());
+  for (std::size_t v = 0; v < noise.size(); ++v)
+  {
+    const Index key = this->Sample.Keys[v];
+    if (kind == TrialNoise::RandomDirections)
+    {
+      const Vec3 normal = noise[v];
+      const Vec3 outwards = surface.Positions[v] - this->Sample.Middle;
+      const Vec3 x = (outwards - outwards.dot(normal) * normal).stableNormalized();
+      const Vec3 direction = source.Direction(key);
+      noise[v] = direction[2] * normal + part * (direction[0] * x + direction[1] * normal.cross(x));
+    }
+    noise[v] *= source.Amplitude(key);
+  }
+  return noise;
+}
+
+}
