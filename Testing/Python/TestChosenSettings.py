@@ -12,9 +12,8 @@ import sys
 
 import numpy
 import surfacedenoising
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from madesurfaces import surface_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 
 # What the data choose, where a class has it.
@@ -32,18 +31,6 @@ VARIANTS = {
     # Normals are given: points go on until they stand still.
     "vtkNormalVertexUpdate": [({}, OPEN)],
 }
-
-
-def surface_of(points, triangles):
-    vtk_points = vtkPoints()
-    vtk_points.SetData(numpy_to_vtk(points, deep=1))
-    cells = vtkCellArray()
-    for triangle in triangles:
-        cells.InsertNextCell(3, [int(i) for i in triangle])
-    surface = vtkPolyData()
-    surface.SetPoints(vtk_points)
-    surface.SetPolys(cells)
-    return surface
 
 
 def roof(n, noise):

@@ -9,9 +9,8 @@ import sys
 
 import numpy
 import surfacedenoising
+from madesurfaces import surface_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 
 # Settings that change no output, with the reason.
@@ -79,18 +78,6 @@ POINT_CONTEXTS = {
 
 # At most, for speed; presets have iterations of their own.
 ITERATIONS = 3
-
-
-def surface_of(points, triangles):
-    vtk_points = vtkPoints()
-    vtk_points.SetData(numpy_to_vtk(points, deep=1))
-    cells = vtkCellArray()
-    for triangle in triangles:
-        cells.InsertNextCell(3, [int(i) for i in triangle])
-    surface = vtkPolyData()
-    surface.SetPoints(vtk_points)
-    surface.SetPolys(cells)
-    return surface
 
 
 def roof(n, noise):
