@@ -7,6 +7,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSurfaceDenoisingCompat.h"
 
+#include <algorithm>
 #include <string>
 
 namespace SurfaceDenoising
@@ -38,7 +39,9 @@ bool SMPExecution::Proceed(double fraction)
 {
   if (!this->Stopped)
   {
-    this->Algorithm->UpdateProgress(this->First + (this->Last - this->First) * fraction);
+    // Trials repeat parts of the work: nobody wants to see progress go back.
+    this->Done = std::max(this->Done, fraction);
+    this->Algorithm->UpdateProgress(this->First + (this->Last - this->First) * this->Done);
     this->Stopped = Aborted(this->Algorithm);
   }
   return !this->Stopped;

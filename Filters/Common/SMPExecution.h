@@ -33,6 +33,7 @@ private:
   vtkAlgorithm* Algorithm;
   double First;
   double Last;
+  double Done = 0.0; ///< the largest fraction so far
   bool Stopped = false;
 };
 
