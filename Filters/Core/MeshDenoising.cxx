@@ -13,8 +13,8 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// Root mean square angle between normals if their differences are those of 2D Gaussian vectors:
-/// sqrt(2) per axis, told from the median. Radians.
+/// Root mean square angle between normals, in radians: sqrt(2) times the deviation per axis that
+/// the median tells if the differences are 2D Gaussian vectors.
 double RobustAngle(const Buffer<Vec3>& a, const Buffer<Vec3>& b)
 {
   Buffer<double> angles(a.size());

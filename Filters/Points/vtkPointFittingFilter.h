@@ -69,8 +69,8 @@ public:
   };
 
   ///@{
-  /// Number of steps that move the points, per outer iteration. Default 5; 0 leaves the points
-  /// alone. 0: from the data; -1: none.
+  /// Number of steps that move the points, per outer iteration. Default 5. 0: from the data;
+  /// -1: none, the points stay.
   vtkSetClampMacro(NumberOfPointIterations, int, -1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPointIterations, int);
   ///@}

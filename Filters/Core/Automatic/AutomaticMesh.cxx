@@ -24,6 +24,7 @@ namespace
 constexpr std::size_t SampleFaces = 8000;
 /// Patches have rims. Meshes up to this size are taken as they are.
 constexpr std::size_t WholeFaces = 14000;
+
 std::string Describe(const SurfaceNoise& noise)
 {
   char text[128];
