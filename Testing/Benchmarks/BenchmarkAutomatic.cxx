@@ -9,7 +9,7 @@
 
 #include "Automatic/AutomaticMesh.h"
 #include "Metrics.h"
-#include "Noise.h"
+#include "NoiseRows.h"
 #include "NoisySurface.h"
 #include "TunedChains.h"
 
@@ -21,53 +21,6 @@ using namespace SurfaceDenoising;
 
 namespace
 {
-
-struct NoiseRow
-{
-  const char* Name;
-  NoiseKind Kind;
-  double Deviation; ///< in mean edge lengths
-  bool AlongNormals;
-};
-
-constexpr double ImpulsiveFraction = 0.2;
-
-const NoiseRow Rows[] = {
-  { "normals", NoiseKind::Gaussian, 0.1, true },
-  { "normals", NoiseKind::Gaussian, 0.2, true },
-  { "normals", NoiseKind::Gaussian, 0.3, true },
-  { "normals", NoiseKind::Gaussian, 0.5, true },
-  { "normals", NoiseKind::Gaussian, 0.7, true },
-  { "directions", NoiseKind::Gaussian, 0.1, false },
-  { "directions", NoiseKind::Gaussian, 0.3, false },
-  { "directions", NoiseKind::Gaussian, 0.7, false },
-  { "impulses, normals", NoiseKind::Impulsive, 0.5, true },
-  { "impulses, directions", NoiseKind::Impulsive, 0.5, false },
-};
-
-TriangleMesh WithNoise(const TriangleMesh& clean, const NoiseRow& row, double edgeLength)
-{
-  NoiseParameters parameters;
-  parameters.Kind = row.Kind;
-  parameters.Deviation = row.Deviation * edgeLength;
-  parameters.Fraction = ImpulsiveFraction;
-  const NoiseSource noise(parameters, clean.NumberOfVertices());
-  Buffer<Vec3> normals(clean.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
-  for (std::size_t f = 0; f < clean.NumberOfFaces(); ++f)
-  {
-    for (const Index v : clean.Triangles[f])
-    {
-      normals[v] += clean.DoubleAreaVector(f);
-    }
-  }
-  TriangleMesh mesh = clean;
-  for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
-  {
-    mesh.Positions[v] += noise.Amplitude(v) *
-      (row.AlongNormals ? Vec3(normals[v].stableNormalized()) : noise.Direction(v));
-  }
-  return mesh;
-}
 
 double MeanAngle(const TriangleMesh& mesh, const TriangleMesh& clean)
 {
@@ -86,10 +39,9 @@ void Measure(const char* file)
   const TriangleMesh clean = ReadMesh(file);
   const std::string path = file;
   const std::string model = path.substr(path.find_last_of('/') + 1);
-  const double edgeLength = TakeEdgeCensus(clean, VertexStars(clean), serial).MeanEdgeLength;
-  for (const NoiseRow& row : Rows)
+  for (const NoiseRow& row : NoiseRows())
   {
-    const TriangleMesh noisy = WithNoise(clean, row, edgeLength);
+    const TriangleMesh noisy = WithNoise(clean, row);
     double best = MeanAngle(noisy, clean);
     std::string bestName = "nothing";
     std::printf("| %s | %s %.1f | %.2f ", model.c_str(), row.Name, row.Deviation, best);

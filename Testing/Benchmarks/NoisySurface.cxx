@@ -47,10 +47,6 @@ TriangleMesh CleanMesh()
   return file ? ReadMesh(file) : TriangleMesh();
 }
 
-namespace
-{
-
-/// Cuts every triangle into k * k of the same shape.
 TriangleMesh Subdivide(const TriangleMesh& coarse, int k)
 {
   TriangleMesh fine;
@@ -116,6 +112,9 @@ TriangleMesh Subdivide(const TriangleMesh& coarse, int k)
   }
   return fine;
 }
+
+namespace
+{
 
 void Shuffle(TriangleMesh& mesh)
 {

@@ -21,11 +21,13 @@ SurfaceDenoising::TriangleMesh ReadMesh(const char* file);
 /// cannot be read.
 SurfaceDenoising::TriangleMesh CleanMesh();
 
+/// Cuts every triangle into k * k of the same shape.
+SurfaceDenoising::TriangleMesh Subdivide(const SurfaceDenoising::TriangleMesh& coarse, int k);
+
 /**
- * The same with every
- * triangle cut into k * k and noise of 0.2 mean edge lengths in random directions. If shuffled,
- * points and triangles are in random order, otherwise in that of the file. Empty if the file cannot
- * be read.
+ * The clean mesh with every triangle cut into k * k and noise of 0.2 mean edge lengths in random
+ * directions. If shuffled, points and triangles are in random order, otherwise in that of the file.
+ * Empty if the file cannot be read.
  */
 SurfaceDenoising::TriangleMesh NoisyMesh(int k, bool shuffled = false);
 

@@ -2,12 +2,13 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# run.sh [-o meshes|points] [-f filter] [-a model] [build folder [cmake argument...]]: builds and
-# runs the benchmarks on the Fandisk model that Debian ships with CGAL, and prints tables. The machine
-# should have nothing else to do.
+# run.sh [-o meshes|points] [-f filter] [-a model [-c cuts]] [build folder [cmake argument...]]: builds
+# and runs the benchmarks on the Fandisk model that Debian ships with CGAL, and prints tables. The
+# machine should have nothing else to do.
 #
 # -a compares automatic denoising with the best of a sweep on an OFF file and runs nothing else: minutes
-# for each ten thousand triangles.
+# for each ten thousand triangles. -o points does so with the points of the model, of which -c 3 makes
+# nine times as many, on the same surface: a dense scan.
 #
 # -o runs those of meshes or of points only. A filter is a regular expression: -f '^Method/' runs all
 # methods for meshes and leaves the comparison with other programs out, -f '^Method/Guided' runs one of
@@ -17,8 +18,10 @@ set -eu -o pipefail
 filter=
 only=
 model=
-while getopts a:f:o: option; do
+cuts=1
+while getopts a:c:f:o: option; do
   case $option in
+    c) cuts=$OPTARG ;;
     f) filter=$OPTARG ;;
     o) only=$OPTARG ;;
     a) model=$(realpath "$OPTARG") || exit 1 ;;
@@ -46,7 +49,9 @@ cmake --build "$build" >>"$build/run.log"
 
 programs="$build/Testing/Benchmarks"
 
-if [ -n "$model" ]; then
+if [ -n "$model" ] && [ "$only" = points ]; then
+  exec "$programs/SurfaceDenoisingAutomaticPointBenchmark" "$model" "$cuts"
+elif [ -n "$model" ]; then
   exec "$programs/SurfaceDenoisingAutomaticBenchmark" "$model"
 fi
 

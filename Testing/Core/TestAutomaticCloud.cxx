@@ -93,6 +93,39 @@ TEST(AutomaticCloud, NearTheBestMethodWhateverTheSurface)
   }
 }
 
+/// Plain moving least squares round edges off, the more so the stronger the noise.
+TEST(AutomaticCloud, TwiceAsNearToEdgesAsMovingLeastSquares)
+{
+  const SurfaceCloud clean = CubeCloud(20);
+  // Mean distance of points within three spacings of an edge.
+  auto nearEdges = [&](const Buffer<Vec3>& positions)
+  {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
+      const Vec3 p = clean.Positions[i].cwiseAbs();
+      if ((p.array() > 1.0 - 3.0 * clean.Spacing).count() > 1)
+      {
+        sum += std::abs(clean.DistanceOf(positions[i]));
+        ++count;
+      }
+    }
+    return sum / count;
+  };
+  for (const double noise : { 0.5, 1.0 })
+  {
+    PointCloud cloud = Noisy(clean, noise);
+    PointCloud rounded = cloud;
+    Denoise(cloud);
+    PointDenoisingReport report;
+    Execution serial;
+    ASSERT_TRUE(
+      DenoisePoints(rounded, SettingsOf(PointMethod::MovingLeastSquares), report, serial));
+    EXPECT_LT(nearEdges(cloud.Positions), 0.5 * nearEdges(rounded.Positions)) << noise;
+  }
+}
+
 TEST(AutomaticCloud, CleanCloudsStayAsTheyAre)
 {
   const SurfaceCloud clouds[] = { SphereCloud(1500), CubeCloud(16), WedgeCloud(30, 20) };

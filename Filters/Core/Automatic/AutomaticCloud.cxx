@@ -38,11 +38,10 @@ PointDenoisingSettings LeastSquares(int neighbors)
   return settings;
 }
 
-PointDenoisingSettings RobustPlanes(int neighbors, int outerIterations)
+PointDenoisingSettings RobustPlanes(int neighbors)
 {
   PointDenoisingSettings settings = SettingsOf(PointMethod::MovingRobustPCA);
   settings.Neighborhood.Count = settings.Normals.NumberOfNeighbors = neighbors;
-  settings.OuterIterations = outerIterations;
   return settings;
 }
 
@@ -84,9 +83,14 @@ const std::vector<Candidate>& Candidates()
         Composed(24, 36, 2.0, 0.5, 2, 5) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(24, 36, 2.0, 0.2, 10, 10) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(40, 40, 3.0, 0.35, 3, 5) },
-      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(30, 5) },
-      { planes, "sharp-edged", SurfaceType::Sharp, 0.3, any, RobustPlanes(60, 5) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(30) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.3, any, RobustPlanes(60) },
       { composer, "smooth", SurfaceType::Curved, 0.3, any, Composed(80, 80, 3.0, 0.5, 1, 2) },
+      { composer, "smooth", SurfaceType::Curved, 0.4, any, Composed(80, 48, 3.0, 1.0, 3, 5) },
+      { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(40, 48, 3.0, 0.2, 10, 10) },
+      { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(80, 96, 3.0, 0.2, 3, 5) },
+      { composer, "sharp-edged", SurfaceType::Sharp, 0.4, any, Composed(40, 96, 3.0, 0.2, 10, 10) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.5, any, RobustPlanes(100) },
     };
     for (Candidate& candidate : all)
     {

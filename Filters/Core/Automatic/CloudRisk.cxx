@@ -16,8 +16,11 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// Points that normals come from.
-constexpr std::size_t NormalNeighbors = 20;
+/// Points that normals come from: the stronger the noise, in spacings, the more.
+std::size_t NormalNeighbors(double level)
+{
+  return static_cast<std::size_t>(std::clamp(80.0 * level, 20.0, 80.0));
+}
 
 /// The points of a part, and those of them that have all their neighbours.
 constexpr std::size_t PartPoints = 800;
@@ -96,8 +99,9 @@ CloudRisk::CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, do
       }
     }
   }
-  const NeighborGraph nearest = NearestPoints(this->Sample, NormalNeighbors, execution);
-  this->Directions = PlaneFitNormals(this->Sample, nearest, NormalNeighbors, execution);
+  const std::size_t neighbors = NormalNeighbors(spacing > 0.0 ? deviation / spacing : 0.0);
+  const NeighborGraph nearest = NearestPoints(this->Sample, neighbors, execution);
+  this->Directions = PlaneFitNormals(this->Sample, nearest, neighbors, execution);
   // Signs that look random: bits of a hash of the rank.
   for (std::size_t rank = 0; rank < ranked.size(); ++rank)
   {
