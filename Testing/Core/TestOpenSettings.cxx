@@ -15,12 +15,11 @@
 
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 namespace
 {
 
-/// Ranks tries by a cost.
+/// Judges by a cost.
 class Judge : public OpenSettings::Judge
 {
 public:
@@ -31,21 +30,14 @@ public:
 
   bool Try(Execution& execution) override
   {
-    this->Costs.push_back(this->Cost());
+    this->Known.push_back(this->Cost());
     return execution.Proceed(1.0);
   }
 
-  std::vector<std::size_t> Ranking() const override
-  {
-    std::vector<std::size_t> order(this->Costs.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(),
-      [&](std::size_t a, std::size_t b) { return this->Costs[a] < this->Costs[b]; });
-    return order;
-  }
+  std::vector<double> Costs() const override { return this->Known; }
 
   std::function<double()> Cost;
-  std::vector<double> Costs;
+  std::vector<double> Known;
 };
 
 /// Settings with a best value, known to those who judge.
@@ -163,12 +155,12 @@ TEST(OpenSettings, SearchComesNearTheBest)
   EXPECT_EQ(toy.Follower, toy.Scale);
   EXPECT_EQ(open.Chosen("Scale"), toy.Scale / 2.0);
   EXPECT_EQ(open.Chosen("Count"), toy.Count);
-  EXPECT_LE(toy.Costs.size(), 6u + 4u * 2u);
+  EXPECT_LE(toy.Known.size(), 6u + 4u * 2u);
 
   // A judge who prefers small values has the last word, among the best and the start.
   Judge strict([&] { return toy.Scale + toy.Count; });
   ASSERT_TRUE(open.Confirm(toy, strict, serial));
-  EXPECT_LE(strict.Costs.size(), 5u);
+  EXPECT_LE(strict.Known.size(), 5u);
   EXPECT_EQ(toy.Scale, 1.0);
   EXPECT_EQ(toy.Count, 10);
   EXPECT_EQ(toy.Follower, 1.0);
@@ -187,7 +179,7 @@ TEST(OpenSettings, SearchStaysWithinBounds)
     OpenSettings open = Open(toy);
     Execution serial;
     ASSERT_TRUE(open.Search(toy, serial));
-    for (std::size_t k = 0; k < toy.Costs.size(); ++k)
+    for (std::size_t k = 0; k < toy.Known.size(); ++k)
     {
       EXPECT_GE(toy.Scales[k], 1.0 / 8.0);
       EXPECT_LE(toy.Scales[k], 8.0);

@@ -101,9 +101,6 @@ const std::vector<Candidate>& Candidates()
   return candidates;
 }
 
-/// Risks are that uncertain with as few points.
-constexpr std::size_t FewestJudged = 50;
-
 /// Parts of the cloud that all candidates are tried on, and those that the best are.
 constexpr std::size_t RoughParts = 3;
 constexpr std::size_t FineParts = 10;
@@ -151,13 +148,13 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double de
   const AutomaticSettings asked(1.0, type);
   CloudChoice choice;
   const double level = spacing > 0.0 ? deviation / spacing : 0.0;
-  if (!(level > 1e-4))
+  if (!(level > CloudNoise::LeastLevel))
   {
     choice.Reason = "There is no noise.";
     return choice;
   }
   const CloudRisk rough(points, spacing, deviation, RoughParts, execution);
-  if (rough.NumberOfJudged() < FewestJudged)
+  if (!rough.IsMeaningful())
   {
     choice.Reason = "There are too few points to tell noise from shape.";
     return choice;

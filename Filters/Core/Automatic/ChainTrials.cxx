@@ -76,7 +76,6 @@ struct ChainTrials::Truth
   double Sum = 0.0; ///< misfit and the rest
   Buffer<Vec3> Normals;
   TriangleMesh Surface;
-  TriangleMesh Noisy;
   double Deviation = 0.0;
 };
 
@@ -131,17 +130,18 @@ bool ChainTrials::Add(const TriangleMesh& surface, Execution& execution)
     const Buffer<Vec3> noise = this->Sample.Noise(surface, kind);
     double low = 0.0;
     double high = MostNoise * this->Sample.EdgeLength();
+    TriangleMesh noisy;
     Buffer<Vec3> normals;
     for (int step = 0; step < Bisections; ++step)
     {
       truth.Deviation = 0.5 * (low + high);
-      truth.Noisy = Displaced(surface, noise, truth.Deviation);
-      normals = FaceNormals(truth.Noisy, execution);
+      noisy = Displaced(surface, noise, truth.Deviation);
+      normals = FaceNormals(noisy, execution);
       const double bend = this->Sample.Bends(normals, { BendFractions[LowerQuartile] })[0];
       (bend < this->BendsBefore[LowerQuartile] ? low : high) = truth.Deviation;
     }
     Measures probes;
-    if (!this->MeasureProbes(truth.Noisy, probes, execution))
+    if (!this->MeasureProbes(noisy, probes, execution))
     {
       return false;
     }
@@ -195,23 +195,27 @@ bool ChainTrials::FindTruths(Execution& execution)
   return true;
 }
 
-/// Returns the mean angle to the true normals.
-double ChainTrials::AddNoise(Truth& truth, double strength, Execution& execution) const
+TriangleMesh ChainTrials::WithNoise(const Truth& truth, double strength) const
 {
-  truth.Noisy = Displaced(truth.Surface, this->Sample.Noise(truth.Surface, truth.Kind),
+  return Displaced(truth.Surface, this->Sample.Noise(truth.Surface, truth.Kind),
     strength * truth.Deviation);
-  return this->Sample.MeanAngle(FaceNormals(truth.Noisy, execution), truth.Normals, execution);
 }
 
-bool ChainTrials::AngleAfter(const MethodChain& chain, const Truth& truth, double& angle,
+double ChainTrials::AngleTo(const Truth& truth, const TriangleMesh& mesh,
   Execution& execution) const
 {
-  TriangleMesh result = truth.Noisy;
+  return this->Sample.MeanAngle(FaceNormals(mesh, execution), truth.Normals, execution);
+}
+
+bool ChainTrials::AngleAfter(const MethodChain& chain, const Truth& truth,
+  const TriangleMesh& noisy, double& angle, Execution& execution) const
+{
+  TriangleMesh result = noisy;
   if (!Apply(chain, result, execution))
   {
     return false;
   }
-  angle = this->Sample.MeanAngle(FaceNormals(result, execution), truth.Normals, execution);
+  angle = this->AngleTo(truth, result, execution);
   return true;
 }
 
@@ -233,13 +237,14 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
   double angleBefore = 0.0;
   for (std::size_t t = 0; t < std::min(MostTruths, this->Truths.size()); ++t)
   {
-    Truth& truth = this->Truths[t];
+    const Truth& truth = this->Truths[t];
     const double gap = truth.Sum - this->Truths[0].Sum;
     if (gap > LargestGap)
     {
       break;
     }
-    const double before = this->AddNoise(truth, strength, execution);
+    const TriangleMesh noisy = this->WithNoise(truth, strength);
+    const double before = this->AngleTo(truth, noisy, execution);
     angleBefore = t == 0 ? before : angleBefore;
     const double weight = std::exp(-gap / Tolerance);
     weights += weight;
@@ -254,7 +259,7 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
       const double done = (double(t) + double(k) / double(count)) / double(MostTruths);
       ProgressShare share(execution, 0.6 + 0.4 * done, 0.6 + 0.4 * done);
       double angle = 0.0;
-      if (!this->AngleAfter(this->Candidates[k]->Steps, truth, angle, share))
+      if (!this->AngleAfter(this->Candidates[k]->Steps, truth, noisy, angle, share))
       {
         return false;
       }
@@ -265,7 +270,7 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
     std::size_t(std::min_element(logarithms.begin(), logarithms.end()) - logarithms.begin());
   result.Error = std::exp(logarithms[result.Best] / weights);
   // The truth that fits best may be one that is not smooth. Then what is best for it is safer.
-  Truth& witness = *std::min_element(this->Truths.begin(), this->Truths.end(),
+  const Truth& witness = *std::min_element(this->Truths.begin(), this->Truths.end(),
     [](const Truth& a, const Truth& b) { return a.Misfit < b.Misfit; });
   const double doubt =
     std::clamp((StrongAngle - angleBefore) / (StrongAngle - WeakAngle), 0.0, 1.0);
@@ -273,13 +278,14 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
   if (doubt > 0.0)
   {
     const double limit = LargestDoubtfulError * std::exp(-MisfitCost * doubt * witness.Misfit);
-    const double before = this->AddNoise(witness, strength, execution);
+    const TriangleMesh noisy = this->WithNoise(witness, strength);
+    const double before = this->AngleTo(witness, noisy, execution);
     std::vector<double> errors(count, Infinite);
     for (std::size_t k = 0; k < count; ++k)
     {
       const std::size_t next = (result.Best + k) % count;
       double angle = 0.0;
-      if (!this->AngleAfter(this->Candidates[next]->Steps, witness, angle, execution))
+      if (!this->AngleAfter(this->Candidates[next]->Steps, witness, noisy, angle, execution))
       {
         return false;
       }

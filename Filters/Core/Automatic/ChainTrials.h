@@ -72,9 +72,10 @@ private:
   bool FindTruths(Execution& execution);
   bool Add(const TriangleMesh& surface, Execution& execution);
   bool MeasureProbes(const TriangleMesh& mesh, Measures& angles, Execution& execution) const;
-  double AddNoise(Truth& truth, double strength, Execution& execution) const;
-  bool AngleAfter(const MethodChain& chain, const Truth& truth, double& angle,
-    Execution& execution) const;
+  TriangleMesh WithNoise(const Truth& truth, double strength) const;
+  double AngleTo(const Truth& truth, const TriangleMesh& mesh, Execution& execution) const;
+  bool AngleAfter(const MethodChain& chain, const Truth& truth, const TriangleMesh& noisy,
+    double& angle, Execution& execution) const;
 
   const TrialSample& Sample;
   const std::vector<const CandidateChain*>& Candidates;

@@ -45,6 +45,11 @@ struct CloudNoise
   /// 1 for outliers, else 0; per point.
   Buffer<unsigned char> Outliers;
 
+  /// Noise below this level is none.
+  static constexpr double LeastLevel = 1e-4;
+
+  bool IsNoisy() const { return this->Level() > LeastLevel; }
+
   /// The deviation in spacings; 0 if there is none.
   double Level() const { return this->Spacing > 0.0 ? this->Deviation / this->Spacing : 0.0; }
 

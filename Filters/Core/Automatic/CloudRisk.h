@@ -49,8 +49,8 @@ public:
   CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, double spacing,
     double deviation, std::size_t parts, Execution& execution);
 
-  /// Points that are judged. With few, say below 50, risks mean little.
-  std::size_t NumberOfJudged() const { return this->Judged; }
+  /// False if there are so few points to judge that risks mean little.
+  bool IsMeaningful() const { return this->Judged >= 50; }
 
   std::size_t NumberOfPoints() const { return this->Sample.size(); }
 

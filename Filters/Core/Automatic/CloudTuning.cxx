@@ -11,7 +11,6 @@
 #include "ProgressShare.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -22,10 +21,6 @@ namespace
 /// Parts of the cloud that values are tried on, and those that the best are confirmed on.
 constexpr std::size_t TrialParts = 5;
 constexpr std::size_t FineParts = 15;
-/// Risks are that uncertain with as few points.
-constexpr std::size_t FewestJudged = 50;
-/// Noise below this, in spacings, is none.
-constexpr double LeastLevel = 1e-4;
 
 bool EstimateNoise(const PointCloud& cloud, CloudNoise& noise, CloudTuningReport& report,
   Execution& execution)
@@ -34,7 +29,7 @@ bool EstimateNoise(const PointCloud& cloud, CloudNoise& noise, CloudTuningReport
   noise = EstimateNoise(cloud.Positions, measuring);
   report.Spacing = noise.Spacing;
   report.Deviation = noise.Deviation;
-  report.NoNoiseFound = !(noise.Level() > LeastLevel);
+  report.NoNoiseFound = !noise.IsNoisy();
   return measuring.Proceed(0.0) && execution.Proceed(0.0);
 }
 
@@ -55,14 +50,7 @@ public:
     return trial.Proceed(0.0) && execution.Proceed(1.0);
   }
 
-  std::vector<std::size_t> Ranking() const override
-  {
-    std::vector<std::size_t> order(this->Risks.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-      [&](std::size_t a, std::size_t b) { return this->Risks[a] < this->Risks[b]; });
-    return order;
-  }
+  std::vector<double> Costs() const override { return this->Risks; }
 
 private:
   const CloudRisk& Risk;
@@ -102,7 +90,7 @@ bool TuneForCloud(const PointCloud& cloud, OpenSettings& open,
     const Buffer<Vec3> normals =
       cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, inliers);
     const CloudRisk rough(points, normals, noise.Spacing, noise.Deviation, TrialParts, execution);
-    report.NoNoiseFound = rough.NumberOfJudged() < FewestJudged;
+    report.NoNoiseFound = !rough.IsMeaningful();
     if (!report.NoNoiseFound)
     {
       CloudJudge first(rough, settings);

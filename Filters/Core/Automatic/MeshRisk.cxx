@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -201,7 +200,7 @@ bool MeshRisk::Of(const MeshOperation& operation, GroupRisks& risks, Execution& 
   return true;
 }
 
-std::vector<std::size_t> RankRisks(const std::vector<GroupRisks>& risks)
+std::vector<double> CompareRisks(const std::vector<GroupRisks>& risks)
 {
   std::vector<double> sums(risks.size(), 0.0);
   for (std::size_t g = 0; g < RiskGroups; ++g)
@@ -216,11 +215,7 @@ std::vector<std::size_t> RankRisks(const std::vector<GroupRisks>& risks)
       sums[k] += std::sqrt(risks[k][g] - least + Softening);
     }
   }
-  std::vector<std::size_t> order(risks.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b) { return sums[a] < sums[b]; });
-  return order;
+  return sums;
 }
 
 }

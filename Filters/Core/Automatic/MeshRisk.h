@@ -88,12 +88,12 @@ private:
 };
 
 /**
- * The numbers of some risks, the best first. What an angle is worth falls with its size: best is
- * the least sum over the groups of sqrt(R_g - min R_g + 0.003), in the manner of a mean angle, with
- * the minimum over all risks. What is good everywhere but at the edges is better than what is a
- * little worse everywhere.
+ * A number for each of some risks, which tells how good it is beside the others, the less the
+ * better. What an angle is worth falls with its size: the sum over the groups of sqrt(R_g - min R_g
+ * + 0.003), in the manner of a mean angle, with the minimum over all risks. What is good everywhere
+ * but at the edges is better than what is a little worse everywhere.
  */
-std::vector<std::size_t> RankRisks(const std::vector<GroupRisks>& risks);
+std::vector<double> CompareRisks(const std::vector<GroupRisks>& risks);
 
 }
 

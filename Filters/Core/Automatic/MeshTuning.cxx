@@ -59,7 +59,7 @@ public:
     return this->Risk.Of(this->Operation, this->Risks.back(), execution);
   }
 
-  std::vector<std::size_t> Ranking() const override { return RankRisks(this->Risks); }
+  std::vector<double> Costs() const override { return CompareRisks(this->Risks); }
 
 private:
   MeshRisk& Risk;

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -175,6 +176,16 @@ void OpenSettings::Set(const Values& values)
   {
     this->Settings[s].Set(values[s]);
   }
+}
+
+std::vector<std::size_t> OpenSettings::Judge::Ranking() const
+{
+  const std::vector<double> costs = this->Costs();
+  std::vector<std::size_t> order(costs.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+  return order;
 }
 
 bool OpenSettings::Search(Judge& judge, Execution& execution)

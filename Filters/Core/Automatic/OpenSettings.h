@@ -91,8 +91,10 @@ public:
     virtual ~Judge() = default;
     /// Tries the settings as they are now. Returns false if the execution asked to stop.
     virtual bool Try(Execution& execution) = 0;
+    /// How bad each of the tries so far is beside the others.
+    virtual std::vector<double> Costs() const = 0;
     /// The numbers of the tries so far, best first.
-    virtual std::vector<std::size_t> Ranking() const = 0;
+    std::vector<std::size_t> Ranking() const;
   };
 
   /**
