@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <numeric>
 #include <random>
 
 namespace

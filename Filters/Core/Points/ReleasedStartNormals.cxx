@@ -45,7 +45,9 @@ bool GrowTrees(const NeighborGraph& nearest, const Buffer<Vec3>& normals, Compre
   Execution& execution, double fraction)
 {
   Buffer<Edge> edges(nearest.NumberOfIds());
-  execution.For(normals.size(),
+  InterruptedExecution interrupted(execution, fraction);
+  interrupted.For(
+    normals.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -56,10 +58,11 @@ bool GrowTrees(const NeighborGraph& nearest, const Buffer<Vec3>& normals, Compre
           edges[e] = { 1.0 - std::abs(normals[i].dot(normals[j])), static_cast<Index>(i), j };
         }
       }
-    });
-  if (!SortStably(
-        edges, [](const Edge& a, const Edge& b) { return a.Length < b.Length; }, execution,
-        fraction))
+    },
+    4096);
+  if (!interrupted.Proceed(fraction) ||
+    !SortStably(
+      edges, [](const Edge& a, const Edge& b) { return a.Length < b.Length; }, execution, fraction))
   {
     return false;
   }
