@@ -4,6 +4,7 @@
 #include "SpatialOrder.h"
 
 #include "Bounds.h"
+#include "InterruptedLoops.h"
 
 #include <atomic>
 #include <cmath>
@@ -58,28 +59,46 @@ struct NumberedCode
   }
 };
 
-/// Sorts by the high bits of the codes, digit by digit. Equal ones stay in their order.
-void SortByHighBits(Buffer<NumberedCode>& codes)
+/// Sorts by the high bits of the codes, digit by digit. Equal ones stay in their order. Returns
+/// false if the execution asked to stop.
+bool SortByHighBits(Buffer<NumberedCode>& codes, Execution& execution)
 {
   constexpr std::size_t buckets = std::size_t(1) << NumberedCode::DigitBits;
   Buffer<NumberedCode> sorted(codes.size());
   for (int digit = 0; digit < NumberedCode::Digits; ++digit)
   {
     std::array<std::size_t, buckets + 1> starts{};
-    for (const NumberedCode& code : codes)
+    auto count = [&](std::size_t k) { ++starts[codes[k].Digit(digit) + 1]; };
+    if (!ForInOrder(codes.size(), count, execution, 0.0))
     {
-      ++starts[code.Digit(digit) + 1];
+      return false;
     }
     for (std::size_t bucket = 1; bucket < buckets; ++bucket)
     {
       starts[bucket] += starts[bucket - 1];
     }
-    for (const NumberedCode& code : codes)
+    auto move = [&](std::size_t k) { sorted[starts[codes[k].Digit(digit)]++] = codes[k]; };
+    if (!ForInOrder(codes.size(), move, execution, 0.0))
     {
-      sorted[starts[code.Digit(digit)]++] = code;
+      return false;
     }
     codes.swap(sorted);
   }
+  return true;
+}
+
+/// The numbers of the finite points as they come: what work that was stopped goes on with.
+Buffer<Index> FiniteNumbers(const Buffer<Vec3>& points)
+{
+  Buffer<Index> numbers;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (points[i].allFinite())
+    {
+      numbers.push_back(static_cast<Index>(i));
+    }
+  }
+  return numbers;
 }
 
 /// Mean of step(i) for i in [0, count) where it is finite.
@@ -188,7 +207,10 @@ Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vec
     // Work that was stopped runs no loops; numbers have to be numbers of points all the same.
     code(0, codes.size());
   }
-  SortByHighBits(codes);
+  if (!SortByHighBits(codes, execution))
+  {
+    return FiniteNumbers(points);
+  }
   codes.resize(bounds.Finite);
 
   auto differs = [](const Vec3& a, const Vec3& b) { return a != b; };
@@ -213,22 +235,22 @@ Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vec
     return i < j;
   };
   Buffer<Index> order(codes.size());
-  for (auto first = codes.begin(); first != codes.end();)
+  std::size_t first = 0;
+  auto sortUpTo = [&](std::size_t last)
   {
-    const std::uint64_t high = first->HighBits();
-    const auto last = std::find_if(first + 1, codes.end(),
-      [high](const NumberedCode& code) { return code.HighBits() != high; });
-    if (last - first > 1)
+    const bool ends = last == codes.size() || codes[last].HighBits() != codes[first].HighBits();
+    if (ends && last - first > 1)
     {
-      std::sort(first, last, less);
+      std::sort(codes.begin() + first, codes.begin() + last, less);
     }
-    first = last;
-  }
-  for (std::size_t k = 0; k < codes.size(); ++k)
-  {
-    order[k] = codes[k].Number;
-  }
-  return order;
+    for (; ends && first < last; ++first)
+    {
+      order[first] = codes[first].Number;
+    }
+  };
+  const bool finished = ForInOrder(
+    codes.size(), [&](std::size_t k) { sortUpTo(k + 1); }, execution, 0.0);
+  return finished ? order : FiniteNumbers(points);
 }
 
 TriangleMesh Reorder(const TriangleMesh& mesh, const SpatialOrder& order)

@@ -36,7 +36,8 @@ SpatialOrder FindSpatialOrder(const TriangleMesh& mesh, Execution& execution);
 /**
  * The numbers of the finite points along a Z-order curve. Points in one cell of the curve follow
  * one another by their coordinates, coincident ones by their vectors (one per point, or none at
- * all): the order is that of the places, not that of the numbers.
+ * all): the order is that of the places, not that of the numbers; any order, if the execution asked
+ * to stop.
  */
 Buffer<Index> FindPointOrder(const Buffer<Vec3>& points, const Buffer<Vec3>& vectors,
   Execution& execution);

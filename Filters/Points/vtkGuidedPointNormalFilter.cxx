@@ -28,6 +28,8 @@ vtkGuidedPointNormalFilter::vtkGuidedPointNormalFilter()
   this->BundleAngle = Rounded(vtkMath::DegreesFromRadians(operation.BundleAngle));
   this->MaximumNumberOfNormals = operation.MaximumBundles;
   this->NumberOfPatchNeighbors = operation.PatchNeighbors;
+  this->PatchAgreement = operation.PatchAgreement;
+  this->MemberAgreement = operation.PatchMemberAgreement;
   this->BundleReach = operation.BundleReach;
   this->FeaturePull = operation.FeaturePull;
   this->UnorientedNormals = operation.Unoriented;
@@ -52,6 +54,8 @@ void vtkGuidedPointNormalFilter::Configure(sd::PointDenoisingSettings& settings)
   operation.BundleAngle = vtkMath::RadiansFromDegrees(this->BundleAngle);
   operation.MaximumBundles = this->MaximumNumberOfNormals;
   operation.PatchNeighbors = this->NumberOfPatchNeighbors;
+  operation.PatchAgreement = this->PatchAgreement;
+  operation.PatchMemberAgreement = this->MemberAgreement;
   operation.BundleReach = this->BundleReach;
   operation.FeaturePull = this->FeaturePull;
   operation.Unoriented = this->UnorientedNormals;
@@ -71,6 +75,8 @@ void vtkGuidedPointNormalFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BundleAngle: " << this->BundleAngle << "\n";
   os << indent << "MaximumNumberOfNormals: " << this->MaximumNumberOfNormals << "\n";
   os << indent << "NumberOfPatchNeighbors: " << this->NumberOfPatchNeighbors << "\n";
+  os << indent << "PatchAgreement: " << this->PatchAgreement << "\n";
+  os << indent << "MemberAgreement: " << this->MemberAgreement << "\n";
   os << indent << "BundleReach: " << this->BundleReach << "\n";
   os << indent << "FeaturePull: " << this->FeaturePull << "\n";
   os << indent << "UnorientedNormals: " << this->UnorientedNormals << "\n";

@@ -99,6 +99,21 @@ public:
   ///@}
 
   ///@{
+  /// Point i may be guided by the patch of its neighbour j if n_i . n_j is at least this: the
+  /// cosine of the angle between them, in [-1, 1]; -1: by any. Default 0.9, 26 degrees.
+  vtkSetClampMacro(PatchAgreement, double, -1.0, 1.0);
+  vtkGetMacro(PatchAgreement, double);
+  ///@}
+
+  ///@{
+  /// Neighbour a of point j belongs to the patch of j if n_j . n_a is at least this: the cosine of
+  /// the angle between them, in [-1, 1]; -1: all do. Patches end at edges that bend more. Default
+  /// 0.9.
+  vtkSetClampMacro(MemberAgreement, double, -1.0, 1.0);
+  vtkGetMacro(MemberAgreement, double);
+  ///@}
+
+  ///@{
   /// How far a point may be from the planes of its normals, in spacings; 0: any distance. Default
   /// 0.75.
   vtkSetClampMacro(BundleReach, double, 0.0, VTK_DOUBLE_MAX);
@@ -137,6 +152,8 @@ protected:
   double BundleAngle;
   int MaximumNumberOfNormals;
   int NumberOfPatchNeighbors;
+  double PatchAgreement;
+  double MemberAgreement;
   double BundleReach;
   double FeaturePull;
   bool UnorientedNormals;

@@ -70,6 +70,9 @@ void vtkRobustPointNormalFilter::TakeSettings(const sd::PointDenoisingSettings& 
   this->SpatialScale = sd::OpenSettings::SpatialProperty(operation.Normals.SpatialScale);
   this->NumberOfNormalIterations = operation.NormalIterations;
   this->Guidance = static_cast<int>(operation.Guidance);
+  this->NumberOfPatchNeighbors = static_cast<int>(operation.Patch.Neighbors);
+  this->PatchAgreement = operation.Patch.Agreement;
+  this->MemberAgreement = operation.Patch.MemberAgreement;
   this->DataSource = static_cast<int>(operation.Data);
   this->Operator = static_cast<int>(operation.Operator);
   this->StepLength = operation.StepLength;
@@ -131,6 +134,9 @@ void vtkRobustPointNormalFilter::Configure(sd::PointDenoisingSettings& settings)
   }
   this->Open->TakeSpatial("SpatialScale", this->SpatialScale, operation.Normals.SpatialScale);
   operation.Guidance = static_cast<sd::PointGuidance>(this->Guidance);
+  operation.Patch.Neighbors = static_cast<std::size_t>(this->NumberOfPatchNeighbors);
+  operation.Patch.Agreement = this->PatchAgreement;
+  operation.Patch.MemberAgreement = this->MemberAgreement;
   operation.Data = static_cast<sd::PointNormalData>(this->DataSource);
   operation.Operator = static_cast<sd::PointNormalOperator>(this->Operator);
   operation.StepLength = this->StepLength;
@@ -148,6 +154,9 @@ void vtkRobustPointNormalFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SpatialScale: " << this->SpatialScale << "\n";
   os << indent << "NumberOfNormalIterations: " << this->NumberOfNormalIterations << "\n";
   os << indent << "Guidance: " << this->Guidance << "\n";
+  os << indent << "NumberOfPatchNeighbors: " << this->NumberOfPatchNeighbors << "\n";
+  os << indent << "PatchAgreement: " << this->PatchAgreement << "\n";
+  os << indent << "MemberAgreement: " << this->MemberAgreement << "\n";
   os << indent << "DataSource: " << this->DataSource << "\n";
   os << indent << "Operator: " << this->Operator << "\n";
   os << indent << "StepLength: " << this->StepLength << "\n";

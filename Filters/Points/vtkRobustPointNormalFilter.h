@@ -171,6 +171,28 @@ public:
   ///@}
 
   ///@{
+  /// Neighbours that make a patch, and whose patches may guide, for PATCH: the first of the
+  /// neighbourhood. Default 10.
+  vtkSetClampMacro(NumberOfPatchNeighbors, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfPatchNeighbors, int);
+  ///@}
+
+  ///@{
+  /// For PATCH: point i may be guided by the patch of its neighbour j if n_i . n_j is at least
+  /// this: the cosine of the angle between them, in [-1, 1]; -1: by any. Default 0.7, 46 degrees.
+  vtkSetClampMacro(PatchAgreement, double, -1.0, 1.0);
+  vtkGetMacro(PatchAgreement, double);
+  ///@}
+
+  ///@{
+  /// For PATCH: neighbour a of point j belongs to the patch of j if n_j . n_a is at least this: the
+  /// cosine of the angle between them, in [-1, 1]; -1: all do. Patches end at edges that bend more.
+  /// Default 0.65, 49 degrees.
+  vtkSetClampMacro(MemberAgreement, double, -1.0, 1.0);
+  vtkGetMacro(MemberAgreement, double);
+  ///@}
+
+  ///@{
   /// Which normals are averaged, one of DataSources. Default PREVIOUS. ROLLING takes those at
   /// the start, always.
   vtkSetClampMacro(DataSource, int, PREVIOUS, ORIGINAL);
@@ -217,6 +239,9 @@ protected:
   double SpatialScale;
   int NumberOfNormalIterations;
   int Guidance;
+  int NumberOfPatchNeighbors;
+  double PatchAgreement;
+  double MemberAgreement;
   int DataSource;
   int Operator;
   double StepLength;

@@ -63,6 +63,7 @@ TextbookBundles::Parameters TextbookParameters(const NormalBundlesSettings& sett
   parameters.SpatialScale = settings.SpatialScale * points.Spacing;
   parameters.PatchNeighbors = settings.PatchNeighbors;
   parameters.PatchAgreement = settings.PatchAgreement;
+  parameters.PatchMemberAgreement = settings.PatchMemberAgreement;
   parameters.NormalIterations = settings.NormalIterations;
   parameters.PointIterations = settings.PointIterations;
   parameters.FeaturePull = settings.FeaturePull;
@@ -183,6 +184,7 @@ TEST(BundleClouds, FollowsTheTextbookWithOtherSettings)
   variants[3].BundleAngle = 0.5;
   variants[4].PatchNeighbors = 12;
   variants[4].PatchAgreement = 0.7;
+  variants[4].PatchMemberAgreement = 0.8;
   variants[4].RangeScale = 0.5;
   variants[5].NormalIterations = 0;
   variants[5].CandidateThreshold = 1.1;

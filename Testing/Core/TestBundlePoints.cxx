@@ -52,7 +52,7 @@ TEST(PointPatches, PatchesEndWhereNormalsDoNotAgree)
   const Buffer<Vec3> normals = { Unit(0, 0, 1), Unit(0.1, 0, 1), Unit(1, 0, 0) };
   Execution serial;
   Buffer<Vec3> guidance;
-  ComputePointPatches(graph, normals, { 2, 0.9, false, -2.0 }, guidance, serial);
+  ComputePointPatches(graph, normals, { 2, 0.9, false, -1.0 }, guidance, serial);
   ExpectVector(guidance[0], 0.482671, 0.0, 0.875802);
   ComputePointPatches(graph, normals, { 2, 0.9, false, 0.9 }, guidance, serial);
   EXPECT_LT((guidance[0] - (normals[0] + normals[1]).normalized()).norm(), 1e-15);

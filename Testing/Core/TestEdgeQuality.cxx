@@ -98,6 +98,6 @@ TEST(EdgeQuality, PatchesThatEndAtEdges)
   auto& stages = std::get<TwoStageSettings>(settings.Operator);
   stages.Guidance = PointGuidance::Patch;
   const double within = NearEdges(WedgeCloud(40, 20), 0.15, settings);
-  stages.Patch.MemberAgreement = -2.0;
+  stages.Patch.MemberAgreement = -1.0;
   EXPECT_LT(2.0 * within, NearEdges(WedgeCloud(40, 20), 0.15, settings));
 }

@@ -223,7 +223,7 @@ TEST(PointFoundations, SpanningTreeOrientsNormals)
     n.normalize();
   }
   Execution serial;
-  EXPECT_EQ(OrientNormals(points, NearestPoints(points, 3, serial), normals, serial), 1u);
+  EXPECT_EQ(OrientNormals(points, NearestPoints(points, 3, serial), normals, serial, 0.0), 1u);
   for (const Vec3& n : normals)
   {
     EXPECT_GT(n[2], 0.0);
@@ -248,7 +248,7 @@ TEST(PointFoundations, PartsPointOutwards)
     }
   }
   Execution serial;
-  EXPECT_EQ(OrientNormals(points, NearestPoints(points, 8, serial), normals, serial), 2u);
+  EXPECT_EQ(OrientNormals(points, NearestPoints(points, 8, serial), normals, serial, 0.0), 2u);
   EXPECT_EQ(normals, outwards);
 }
 

@@ -122,7 +122,8 @@ TEST(ReleasedPoints, StartsWithNormalsOfPlanes)
   AddNoise(cloud.Positions, 0.1 * cloud.Spacing, 5);
   Execution serial;
   const NeighborGraph nearest = NearestPoints(cloud.Positions, 12, serial);
-  const Buffer<Vec3> normals = ReleasedStartNormals(cloud.Positions, nearest, serial);
+  Buffer<Vec3> normals;
+  ASSERT_TRUE(ReleasedStartNormals(cloud.Positions, nearest, normals, serial, 0.0, 1.0));
   for (std::size_t i = 0; i < normals.size(); ++i)
   {
     EXPECT_GT(normals[i].dot(cloud.Normals[i]), 0.9) << "point " << i;

@@ -37,7 +37,7 @@ Patch PatchAt(const Cloud& cloud, int j, int m, const Parameters& parameters)
   for (int k = 0; k < std::min<int>(parameters.PatchNeighbors, static_cast<int>(row.size())); ++k)
   {
     const Point& n = Matched(cloud, row[k], centre, cloud.Bundles, parameters);
-    if (HasNormal(n) && Like(n, centre, parameters.Unoriented) >= parameters.PatchAgreement)
+    if (HasNormal(n) && Like(n, centre, parameters.Unoriented) >= parameters.PatchMemberAgreement)
     {
       members.push_back(Facing(n, centre, parameters.Unoriented));
     }

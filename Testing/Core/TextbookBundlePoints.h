@@ -32,6 +32,7 @@ struct Parameters
   double SpatialScale = 1.5;
   int PatchNeighbors = 6;
   double PatchAgreement = 0.9;
+  double PatchMemberAgreement = 0.9;
   int NormalIterations = 5;
   int PointIterations = 10;
   double FeaturePull = 0.1;

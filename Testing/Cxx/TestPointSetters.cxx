@@ -141,6 +141,8 @@ void TestGuided(int& failures)
   CHECK(guided([](Guided* f) { f->SetBundleReach(0.0); }));
   CHECK(guided([](Guided* f) { f->SetFeaturePull(1.0); }));
   CHECK(guided([](Guided* f) { f->SetNumberOfPatchNeighbors(10); }));
+  CHECK(guided([](Guided* f) { f->SetPatchAgreement(0.5); }));
+  CHECK(guided([](Guided* f) { f->SetMemberAgreement(0.5); }));
   Changes<Guided> skeleton([](Guided* f) { f->UseSkeletonOn(); }, Cloud());
   CHECK(skeleton([](Guided* f) { f->SetSkeletonRadius(1.0); }));
   Changes<Guided> signs([](Guided* f) { f->SetNormalOrientationToKeep(); }, CloudWithNormals());

@@ -90,6 +90,12 @@ void TestComposer(int& failures)
   Changes<Robust> diffusion([](Robust* f) { f->SetOperatorToDiffusion(); }, Cloud());
   CHECK(diffusion([](Robust* f) { f->SetStepLength(0.2); }));
   CHECK(diffusion([](Robust* f) { f->SetStepLength(0.0); }));
+  CHECK(!robust([](Robust* f) { f->SetNumberOfPatchNeighbors(4); }));
+  Changes<Robust> patches([](Robust* f) { f->SetGuidanceToPatch(); }, Cloud());
+  CHECK(patches([](Robust* f) { f->SetNumberOfPatchNeighbors(4); }));
+  CHECK(patches([](Robust* f) { f->SetPatchAgreement(0.95); }));
+  CHECK(patches([](Robust* f) { f->SetMemberAgreement(0.95); }));
+  CHECK(patches([](Robust* f) { f->SetMemberAgreement(-1.0); }));
   Changes<Robust> signs([](Robust* f) { f->SetNormalOrientationToKeep(); }, CloudWithNormals());
   CHECK(signs([](Robust* f) { f->UnorientedNormalsOn(); }));
 
@@ -157,7 +163,7 @@ void TestPrint(int& failures)
   }
   for (const char* name : { "NormalSource: 0", "NumberOfThreads: 0", "MeanSpacing: 0",
          "Neighborhood: 1", "PositionScheme: 3", "Preset: Bilateral Point", "Preset: Custom",
-         "RangeScale: ", "Norm: Gaussian", "HeightScale: 1",
+         "RangeScale: ", "MemberAgreement: 0.65", "Norm: Gaussian", "HeightScale: 1",
          "NormalAngle: ", "FilterScale: ", "LeastAngle: ", "BundleAngle: ", "NumberOfRolls: 4",
          "Degree: 2", "MinimumRegionSize: ", "AsReleased: 1" })
   {

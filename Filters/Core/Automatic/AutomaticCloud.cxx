@@ -5,8 +5,8 @@
 
 #include "Automatic/CloudRisk.h"
 #include "Automatic/ProgressShare.h"
+#include "InterruptedExecution.h"
 #include "KdTree.h"
-#include "Points/InterruptedExecution.h"
 #include "Points/PlaneFit.h"
 #include "Points/PointMethods.h"
 #include "SpatialOrder.h"

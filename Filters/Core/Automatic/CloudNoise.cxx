@@ -3,7 +3,7 @@
 
 #include "Automatic/CloudNoise.h"
 
-#include "Points/InterruptedExecution.h"
+#include "InterruptedExecution.h"
 #include "Points/PlaneFit.h"
 #include "Points/PointNeighbors.h"
 #include "Points/PointRuns.h"
@@ -244,7 +244,7 @@ CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
   Buffer<Index> order = FindPointOrder(points, {}, execution);
   FormRuns(points, order, execution);
   noise.Finite = order.size();
-  if (order.size() < 2)
+  if (order.size() < 2 || !execution.Proceed(0.0))
   {
     return noise;
   }

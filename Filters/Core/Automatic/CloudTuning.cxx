@@ -3,11 +3,11 @@
 
 #include "CloudTuning.h"
 
-#include "../Points/InterruptedExecution.h"
 #include "../SpatialOrder.h"
 #include "../Stopwatch.h"
 #include "CloudNoise.h"
 #include "CloudRisk.h"
+#include "InterruptedExecution.h"
 #include "ProgressShare.h"
 
 #include <cmath>

@@ -125,7 +125,7 @@ private:
     }
     const PointPatchSettings patches{ static_cast<std::size_t>(
                                         std::max(0, settings.PatchNeighbors)),
-      settings.PatchAgreement, settings.Unoriented, settings.PatchAgreement };
+      settings.PatchAgreement, settings.Unoriented, settings.PatchMemberAgreement };
     const auto filter = this->MakeFilter(points, nodes, true, execution);
     Buffer<Vec3> guide;
     Buffer<Vec3> filtered;

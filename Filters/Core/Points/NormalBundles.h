@@ -68,7 +68,8 @@ struct NormalBundlesSettings
   double RangeScale = 0.35;  ///< sigma of exp(-(|G_i - G_j| / sigma)^2), a chord
   double SpatialScale = 1.5; ///< sigma_d of exp(-(d / sigma_d)^2), in spacings
   int PatchNeighbors = 6;    ///< of a node that belong to its patch, and whose patches it may take
-  double PatchAgreement = 0.9; ///< least n_i . n_j with members of the patch and of patches taken
+  double PatchAgreement = 0.9;       ///< least n_i . n_j of patches taken
+  double PatchMemberAgreement = 0.9; ///< least n_j . n_a of the members of a patch
   int NormalIterations = 5;
   int PointIterations = 10;
   double FeaturePull = 0.1; ///< weight of points with several normals in updates of positions

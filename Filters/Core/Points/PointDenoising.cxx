@@ -3,6 +3,7 @@
 
 #include "PointDenoising.h"
 
+#include "InterruptedExecution.h"
 #include "PointRuns.h"
 #include "PointWork.h"
 #include "SpatialOrder.h"
@@ -14,18 +15,19 @@ bool DenoisePoints(PointCloud& cloud, const PointDenoisingSettings& settings,
   PointDenoisingReport& report, Execution& execution)
 {
   Buffer<Index> order = FindPointOrder(cloud.Positions, cloud.Normals, execution);
-  FormRuns(cloud.Positions, order, execution);
+  InterruptedExecution ordering(execution, 0.0, 0.01);
+  FormRuns(cloud.Positions, order, ordering);
   const std::size_t all = cloud.Positions.size();
   report.NotFinite = all - order.size();
   PointWork work(settings, report);
   PointSet& points = work.Points;
-  points.Positions = Gather(cloud.Positions, order, execution);
+  points.Positions = Gather(cloud.Positions, order, ordering);
   if (!cloud.Normals.empty())
   {
-    points.Normals = Gather(cloud.Normals, order, execution);
+    points.Normals = Gather(cloud.Normals, order, ordering);
   }
-  if (!execution.Proceed(0.01) || !work.SetUp(execution) || !work.Run(execution) ||
-    !execution.Proceed(1.0))
+  if (!ordering.Proceed(0.01) || !execution.Proceed(0.01) || !work.SetUp(execution) ||
+    !work.Run(execution) || !execution.Proceed(1.0))
   {
     return false;
   }

@@ -66,10 +66,11 @@ double ShareOfOpposedNormals(const NeighborGraph& nearest, const Buffer<Vec3>& n
  * direction and the lengths 1 - |n_i . n_j|: where the tree goes, normals make acute angles. (H.
  * Hoppe et al. 1992.) Each connected part then points outwards, sum n_i . (p_i - c) > 0 with the
  * mean c of its points; if it has no inside (the sum is below 5% of sum |p_i - c|), the normal of
- * its highest point has a positive z. Returns the number of connected parts.
+ * its highest point has a positive z. Returns the number of connected parts; 0, with signs left as
+ * they were, if the execution asked to stop.
  */
 std::size_t OrientNormals(const Buffer<Vec3>& points, const NeighborGraph& graph,
-  Buffer<Vec3>& normals, Execution& execution);
+  Buffer<Vec3>& normals, Execution& execution, double fraction);
 
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The spanning tree of OrientNormals.
 
+#include "InterruptedLoops.h"
 #include "PointNormals.h"
 
 #include <cmath>
@@ -80,25 +81,33 @@ std::size_t LevelOf(const Vec3& m, const Vec3& n)
 }
 
 /// Positions of the entries of the graph, shortest edge first, equally short ones as they come.
-Buffer<std::uint64_t> SortEdges(const NeighborGraph& graph, const Buffer<Vec3>& normals,
-  const Buffer<Index>& rowOf)
+/// Returns false if the execution asked to stop.
+bool SortEdges(const NeighborGraph& graph, const Buffer<Vec3>& normals, const Buffer<Index>& rowOf,
+  Buffer<std::uint64_t>& sorted, Execution& execution, double fraction)
 {
   std::vector<std::uint64_t> starts(Levels + 1, 0);
   const std::size_t edges = graph.NumberOfIds();
-  for (std::size_t e = 0; e < edges; ++e)
+  auto levelOf = [&](std::size_t e) { return LevelOf(normals[rowOf[e]], normals[graph.Ids[e]]); };
+  if (!ForInOrder(
+        edges, [&](std::size_t e) { ++starts[levelOf(e) + 1]; }, execution, fraction))
   {
-    ++starts[LevelOf(normals[rowOf[e]], normals[graph.Ids[e]]) + 1];
+    return false;
   }
   for (std::size_t level = 0; level < Levels; ++level)
   {
     starts[level + 1] += starts[level];
   }
-  Buffer<std::uint64_t> sorted(edges);
-  for (std::size_t e = 0; e < edges; ++e)
-  {
-    sorted[starts[LevelOf(normals[rowOf[e]], normals[graph.Ids[e]])]++] = e;
-  }
-  return sorted;
+  sorted.resize(edges);
+  // The first edges go everywhere: without this they would wait for the pages of all the memory.
+  InterruptedExecution interrupted(execution, fraction);
+  interrupted.For(
+    edges,
+    [&](std::size_t begin, std::size_t end)
+    { std::fill(sorted.begin() + begin, sorted.begin() + end, std::uint64_t(0)); },
+    4096);
+  return interrupted.Proceed(fraction) &&
+    ForInOrder(
+      edges, [&](std::size_t e) { sorted[starts[levelOf(e)]++] = e; }, execution, fraction);
 }
 
 /// What decides where a connected part points.
@@ -114,24 +123,31 @@ struct Part
 }
 
 std::size_t OrientNormals(const Buffer<Vec3>& points, const NeighborGraph& graph,
-  Buffer<Vec3>& normals, Execution& /*execution*/)
+  Buffer<Vec3>& normals, Execution& execution, double fraction)
 {
   const std::size_t count = points.size();
   Buffer<Index> rowOf(graph.NumberOfIds());
-  for (std::size_t i = 0; i < count; ++i)
+  auto numberRow = [&](std::size_t i)
   {
     std::fill(rowOf.begin() + graph.Offsets[i], rowOf.begin() + graph.Offsets[i + 1],
       static_cast<Index>(i));
-  }
+  };
   SignedSets sets(count);
-  for (const std::uint64_t e : SortEdges(graph, normals, rowOf))
+  Buffer<std::uint64_t> edges;
+  auto unite = [&](std::size_t k)
   {
-    const Index i = rowOf[e];
-    const Index j = graph.Ids[e];
+    const Index i = rowOf[edges[k]];
+    const Index j = graph.Ids[edges[k]];
     if (!normals[i].isZero(0.0) && !normals[j].isZero(0.0))
     {
       sets.Unite(i, j, normals[i].dot(normals[j]) < 0.0);
     }
+  };
+  if (!ForInOrder(count, numberRow, execution, fraction) ||
+    !SortEdges(graph, normals, rowOf, edges, execution, fraction) ||
+    !ForInOrder(edges.size(), unite, execution, fraction))
+  {
+    return 0;
   }
 
   Buffer<Index> partOf(count);

@@ -34,6 +34,9 @@ PointPatch JudgePatch(const std::vector<Vec3>& members)
 namespace
 {
 
+/// Rounding must not take opposite normals below -1, which stands for all.
+bool Agree(double cosine, double least) { return std::max(cosine, -1.0) >= least; }
+
 /// The normals of the patch of site j; none if that has no normal.
 void CollectMembers(const NeighborGraph& graph, const Buffer<Vec3>& normals, std::size_t j,
   const PointPatchSettings& settings, std::vector<Vec3>& members)
@@ -51,7 +54,7 @@ void CollectMembers(const NeighborGraph& graph, const Buffer<Vec3>& normals, std
     const Vec3& n = normals[row[k]];
     const double cosine = n.dot(centre);
     const bool turned = settings.Unoriented && cosine < 0.0;
-    if (!n.isZero(0.0) && (turned ? -cosine : cosine) >= settings.MemberAgreement)
+    if (!n.isZero(0.0) && Agree(turned ? -cosine : cosine, settings.MemberAgreement))
     {
       members.push_back(turned ? Vec3(-n) : n);
     }
@@ -89,7 +92,7 @@ void ComputePointPatches(const NeighborGraph& graph, const Buffer<Vec3>& normals
         {
           const double cosine = n.dot(normals[row[k]]);
           const bool agrees =
-            (settings.Unoriented ? std::abs(cosine) : cosine) >= settings.Agreement;
+            Agree(settings.Unoriented ? std::abs(cosine) : cosine, settings.Agreement);
           if (agrees && patches[row[k]].Inconsistency < best->Inconsistency)
           {
             best = &patches[row[k]];

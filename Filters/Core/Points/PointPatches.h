@@ -29,12 +29,12 @@ namespace SurfaceDenoising
 struct PointPatchSettings
 {
   std::size_t Neighbors = 10; ///< of a site that belong to its patch, and whose patches it may take
-  double Agreement = 0.7;     ///< the least n_i . n_j
+  double Agreement = 0.7;     ///< the least n_i . n_j; -1: any
   bool Unoriented = false;    ///< members are turned to the side of n_j before they are compared
   /// Members of the patch of site j have n_j . n_a of at least this, so that patches end at edges;
-  /// -2: all. Where faces are narrow there is no patch without points beyond an edge, and half of
+  /// -1: all. Where faces are narrow there is no patch without points beyond an edge, and half of
   /// one face and half of the other is more consistent by H than a few of the other alone.
-  double MemberAgreement = -2.0;
+  double MemberAgreement = -1.0;
 };
 
 struct PointPatch

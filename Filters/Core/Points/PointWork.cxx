@@ -180,8 +180,13 @@ void PointWork::Orient(const NeighborGraph& nearest, bool agree, Execution& exec
   if (wanted == NormalOrientation::SpanningTree ||
     (wanted == NormalOrientation::Automatic && !agree))
   {
-    const NeighborGraph edges = FirstNeighbors(nearest, TreeNeighbors, execution);
-    this->Report.Parts = OrientNormals(points.Positions, edges, points.Normals, execution);
+    InterruptedExecution interrupted(execution, 0.2);
+    const NeighborGraph edges = FirstNeighbors(nearest, TreeNeighbors, interrupted);
+    if (!interrupted.Proceed(0.2))
+    {
+      return;
+    }
+    this->Report.Parts = OrientNormals(points.Positions, edges, points.Normals, execution, 0.2);
     this->Report.Oriented = true;
   }
 }

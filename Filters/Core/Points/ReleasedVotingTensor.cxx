@@ -3,8 +3,10 @@
 
 #include "ReleasedVotingTensor.h"
 
+#include "InputNeighbors.h"
+#include "InterruptedLoops.h"
 #include "PlaneFit.h"
-#include "PointNeighbors.h"
+#include "SpatialOrder.h"
 
 #include <cmath>
 
@@ -17,17 +19,26 @@ namespace
 /// Determinants are taken to be nothing below this, whatever the size of the model.
 constexpr double Nothing = 1e-10;
 
-double MeanDistance(const Buffer<Vec3>& points, const NeighborGraph& nearest)
+double MeanDistance(const Buffer<Vec3>& points, const NeighborGraph& nearest, Execution& execution)
 {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    double distances = 0.0;
-    for (const Index j : nearest.Row(i))
+  Buffer<double> means(points.size());
+  execution.For(points.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      distances += (points[j] - points[i]).norm();
-    }
-    sum += distances / std::max<std::size_t>(1, nearest.Row(i).size());
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        double distances = 0.0;
+        for (const Index j : nearest.Row(i))
+        {
+          distances += (points[j] - points[i]).norm();
+        }
+        means[i] = distances / std::max<std::size_t>(1, nearest.Row(i).size());
+      }
+    });
+  double sum = 0.0;
+  for (const double mean : means)
+  {
+    sum += mean;
   }
   return points.empty() ? 0.0 : sum / static_cast<double>(points.size());
 }
@@ -46,53 +57,90 @@ Vec3 Solve(const Mat3& a, const Vec3& b)
   return Vec3(x.dot(b), y.dot(b), z.dot(b)) / determinant;
 }
 
+/// Points are held along a curve through space: those of neighbours are near in memory as well.
 class Program
 {
 public:
-  Program(const ReleasedVotingTensorSettings& settings, ReleasedVotingTensorReport& report,
-    Buffer<Vec3>& positions, Buffer<Vec3>& normals)
+  Program(const ReleasedVotingTensorSettings& settings, ReleasedVotingTensorReport& report)
     : Settings(settings)
     , Report(report)
-    , Positions(positions)
-    , Normals(normals)
-    , Start(positions)
   {
   }
 
-  bool Run(Execution& execution)
+  bool Run(Buffer<Vec3>& positions, Buffer<Vec3>& normals, Execution& execution)
   {
-    const std::size_t count =
-      static_cast<std::size_t>(std::max(1, this->Settings.NumberOfNeighbors));
-    const NeighborGraph nearest = NearestPoints(this->Positions, count, execution);
-    this->Report.Spacing = MeanDistance(this->Positions, nearest);
-    if (this->Normals.empty())
+    if (!this->SetUp(positions, normals, execution))
     {
-      this->Normals = ReleasedStartNormals(this->Positions, nearest, execution);
+      return false;
     }
-    this->Neighbors =
-      PointsWithinRadius(this->Positions, 5.0 * this->Report.Spacing, NoIndex, execution);
-    this->Report.Classes.assign(this->Positions.size(), FeatureClass::Flat);
-
     const int iterations = this->Settings.Iterations;
     Buffer<Vec3> filtered(this->Positions.size(), Vec3(0.0, 0.0, 0.0));
     for (int iteration = 0; iteration < iterations; ++iteration)
     {
-      const double first = 0.1 + 0.9 * iteration / iterations;
-      if (!execution.Proceed(first))
+      const double share = 0.9 / iterations;
+      const double first = 0.1 + share * iteration;
+      InterruptedExecution interrupted(execution, first, first + 0.5 * share);
+      this->FilterNormals(filtered, interrupted);
+      if (!interrupted.Proceed(first))
       {
         return false;
       }
-      this->FilterNormals(filtered, execution);
       this->Normals = filtered;
-      if (!this->MovePoints(execution, first))
+      if (!this->MovePoints(execution, first + 0.5 * share))
       {
         return false;
       }
     }
-    return execution.Proceed(1.0);
+    if (!execution.Proceed(1.0))
+    {
+      return false;
+    }
+    Scatter(this->Positions, this->Points.Numbers, positions);
+    Scatter(this->Normals, this->Points.Numbers, normals);
+    Scatter(this->Classes, this->Points.Numbers, this->Report.Classes);
+    return true;
   }
 
 private:
+  bool SetUp(const Buffer<Vec3>& positions, const Buffer<Vec3>& given, Execution& execution)
+  {
+    this->Points = OrderedPoints(positions, execution);
+    if (!execution.Proceed(0.0))
+    {
+      return false;
+    }
+    InterruptedExecution interrupted(execution, 0.0, 0.02);
+    const std::size_t count =
+      static_cast<std::size_t>(std::max(1, this->Settings.NumberOfNeighbors));
+    const NeighborGraph nearest = NearestOfInput(this->Points, count, interrupted);
+    if (!interrupted.Proceed(0.02))
+    {
+      return false;
+    }
+    InterruptedExecution distances(execution, 0.02);
+    this->Report.Spacing = MeanDistance(positions, nearest, distances);
+    if (!distances.Proceed(0.02))
+    {
+      return false;
+    }
+    Buffer<Vec3> fitted;
+    if (given.empty() && !ReleasedStartNormals(positions, nearest, fitted, execution, 0.02, 0.05))
+    {
+      return false;
+    }
+    InterruptedExecution gathering(execution, 0.05);
+    this->Normals = Gather(given.empty() ? fitted : given, this->Points.Numbers, gathering);
+    if (!gathering.Proceed(0.05))
+    {
+      return false;
+    }
+    InterruptedExecution balls(execution, 0.05, 0.1);
+    this->Neighbors = BallsOfInput(this->Points, 5.0 * this->Report.Spacing, balls);
+    this->Positions = this->Points.Positions;
+    this->Classes.assign(positions.size(), FeatureClass::Flat);
+    return balls.Proceed(0.1);
+  }
+
   void FilterNormals(Buffer<Vec3>& filtered, Execution& execution) const
   {
     const Buffer<Vec3>& normals = this->Normals;
@@ -130,19 +178,13 @@ private:
       });
   }
 
+  /// In the order of the input, which may lead through all of the memory.
   bool MovePoints(Execution& execution, double fraction)
   {
-    constexpr std::size_t pointsBetweenQuestions = 16384;
     this->Report.Rejected = 0;
-    for (std::size_t i = 0; i < this->Positions.size(); ++i)
-    {
-      if (i % pointsBetweenQuestions == 0 && !execution.Proceed(fraction))
-      {
-        return false;
-      }
-      this->Move(i);
-    }
-    return true;
+    return ForInOrder(
+      this->Positions.size(), [&](std::size_t number) { this->Move(this->Points.Places[number]); },
+      execution, fraction, 4096);
   }
 
   void Move(std::size_t i)
@@ -164,7 +206,7 @@ private:
     {
       return; // nothing similar, or all at one place
     }
-    FeatureClass& kind = this->Report.Classes[i];
+    FeatureClass& kind = this->Classes[i];
     Vec3 place;
     if (values[0] < tau && values[1] < tau && values[2] > tau)
     {
@@ -183,7 +225,7 @@ private:
       place = this->SolveQuadric(i, Vec3(0.0, 0.0, 0.0), Mat3::Zero());
     }
     const double limit = this->Settings.Limit * this->Report.Spacing;
-    if ((place - this->Start[i]).squaredNorm() < limit * limit)
+    if ((place - this->Points.Positions[i]).squaredNorm() < limit * limit)
     {
       this->Positions[i] = place;
     }
@@ -230,9 +272,10 @@ private:
 
   const ReleasedVotingTensorSettings& Settings;
   ReleasedVotingTensorReport& Report;
-  Buffer<Vec3>& Positions;
-  Buffer<Vec3>& Normals;
-  Buffer<Vec3> Start;
+  OrderedPoints Points; ///< before the first step
+  Buffer<Vec3> Positions;
+  Buffer<Vec3> Normals;
+  Buffer<FeatureClass> Classes;
   NeighborGraph Neighbors;
 };
 
@@ -242,7 +285,7 @@ bool DenoiseAsReleased(Buffer<Vec3>& positions, Buffer<Vec3>& normals,
   const ReleasedVotingTensorSettings& settings, ReleasedVotingTensorReport& report,
   Execution& execution)
 {
-  return Program(settings, report, positions, normals).Run(execution);
+  return Program(settings, report).Run(positions, normals, execution);
 }
 
 }

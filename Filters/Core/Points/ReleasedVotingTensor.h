@@ -50,14 +50,14 @@ struct ReleasedVotingTensorReport
  * The normals that the program starts with if there are none: those of the planes through the
  * nearest neighbours, with signs along the spanning tree with the least sum of 1 - |n_i . n_j|,
  * from the highest point on. The program fails if there is a point that the tree does not reach;
- * here every part has a tree of its own.
+ * here every part has a tree of its own. Returns false if the execution asked to stop.
  */
-Buffer<Vec3> ReleasedStartNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest,
-  Execution& execution);
+bool ReleasedStartNormals(const Buffer<Vec3>& points, const NeighborGraph& nearest,
+  Buffer<Vec3>& normals, Execution& execution, double first, double last);
 
 /**
- * Moves the points and filters their normals, those to start with or none. Returns false if the
- * execution asked to stop.
+ * Moves the points, all finite, and filters their normals, those to start with or none. Returns
+ * false if the execution asked to stop; points and normals are then what they were.
  */
 bool DenoiseAsReleased(Buffer<Vec3>& positions, Buffer<Vec3>& normals,
   const ReleasedVotingTensorSettings& settings, ReleasedVotingTensorReport& report,

@@ -11,13 +11,15 @@
 
 #include "Execution.h"
 
+#include <chrono>
+
 namespace SurfaceDenoising
 {
 
 /**
  * Runs loops in pieces and asks in between whether to go on; after a no, nothing runs any more and
- * results are incomplete. The first loop reports progress from first to last, others that
- * follow stay there.
+ * results are incomplete. Pieces shrink and grow so that they take a tenth of a second. The first
+ * loop reports progress from first to last, others that follow stay there.
  */
 class InterruptedExecution : public Execution
 {
@@ -38,14 +40,20 @@ public:
   {
     // Elements that are worth this take long enough for small shares.
     grain = std::min<std::size_t>(grain, 512);
-    const std::size_t piece = std::max(grain, (count + 31) / 32);
-    for (std::size_t begin = 0; begin < count && this->Going; begin += piece)
+    const std::size_t most = std::max(grain, (count + 31) / 32);
+    std::size_t piece = std::max(grain, most / 4);
+    for (std::size_t begin = 0; begin < count && this->Going;)
     {
+      const auto start = std::chrono::steady_clock::now();
+      const std::size_t length = std::min(piece, count - begin);
       this->Whole.For(
-        std::min(piece, count - begin),
-        [&](std::size_t b, std::size_t e) { body(begin + b, begin + e); }, grain);
-      const double done =
-        static_cast<double>(std::min(count, begin + piece)) / static_cast<double>(count);
+        length, [&](std::size_t b, std::size_t e) { body(begin + b, begin + e); }, grain);
+      begin += length;
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+      piece = taken.count() > 0.1 ? std::max(grain, piece / 2)
+        : taken.count() < 0.03    ? std::min(most, piece * 2)
+                                  : piece;
+      const double done = static_cast<double>(begin) / static_cast<double>(count);
       this->Share = std::max(this->Share, done);
       this->Going = this->Whole.Proceed(this->First + (this->Last - this->First) * this->Share);
     }
