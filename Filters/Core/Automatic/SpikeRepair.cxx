@@ -9,6 +9,9 @@
 #include "Spikes.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -19,8 +22,8 @@ namespace
 /// Steps towards the middle of the neighbours: spikes side by side wait for one another.
 constexpr int FillSteps = 20;
 constexpr int OuterIterations = 15;
-/// How much of the roughness at spikes, above that beside them, may be left.
-constexpr double MostLeft = 0.5;
+/// How much farther vertices that were out of place must have moved than others would.
+constexpr double LeastGain = 3.0;
 
 /// Vertices that do not move are marked with 1, the others become the means of their neighbours.
 void FillIn(Buffer<Vec3>& positions, const CompressedRows& rings,
@@ -57,50 +60,99 @@ FaceFilterSettings WideSettings()
   return settings;
 }
 
-/// Mean angles between faces, in degrees.
-struct Roughness
+/// Makes up positions for the vertices that are not fixed.
+bool MakeUp(TriangleMesh& mesh, const CompressedRows& stars, const CompressedRows& rings,
+  const EdgeCensus& edges, const Buffer<unsigned char>& fixed, Execution& execution, double first,
+  double last)
 {
-  double Repaired = 0.0; ///< over the edges of the faces that move
-  double Beside = 0.0;   ///< over the other edges of faces next to these
-};
+  FillIn(mesh.Positions, rings, fixed, execution);
+  const FaceFilterSettings settings = WideSettings();
+  FaceFilterReport report;
+  FaceFilter filter(mesh, stars, edges.BoundaryVertex, edges.MeanEdgeLength, settings, report);
+  // Vertices at boundaries stay where they are; here all that are fixed do.
+  const VertexUpdateSettings vertices;
+  VertexUpdate update(mesh, stars, fixed, edges.MeanEdgeLength, vertices);
+  Buffer<Vec3> normals;
+  for (int outer = 0; outer < OuterIterations; ++outer)
+  {
+    const double done = first + (last - first) * outer / OuterIterations;
+    const double next = first + (last - first) * (outer + 1) / OuterIterations;
+    normals.clear();
+    filter.Renew(normals, execution);
+    if (!filter.Run(normals, {}, execution, done, next) ||
+      !update.Run(mesh.Positions, normals, 2, execution, next, next))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
-Roughness RoughnessOf(const TriangleMesh& mesh, const NeighborGraph& edgeAdjacent,
-  const CompressedRows& rings, const Buffer<unsigned char>& fixed, Execution& execution)
+/// A number at random that belongs to the place and to nothing else.
+std::uint64_t Lot(const Vec3& position)
 {
-  // 2 for faces that move, 1 for those next to them, else 0.
-  Buffer<unsigned char> kinds(mesh.NumberOfFaces(), 0);
-  execution.For(kinds.size(),
+  std::uint64_t lot = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &position[k], sizeof(bits));
+    lot = (lot ^ bits) * 0x9E3779B97F4A7C15u;
+    lot ^= lot >> 29;
+  }
+  return lot;
+}
+
+/// Marks fixed vertices within two rings of those that are not, no two beside one another, with 0
+/// and all others with 1.
+Buffer<unsigned char> ChooseControls(const TriangleMesh& mesh, const CompressedRows& rings,
+  const EdgeCensus& edges, const Buffer<unsigned char>& fixed, Execution& execution)
+{
+  const std::size_t count = mesh.NumberOfVertices();
+  Buffer<unsigned char> beside(count);
+  Buffer<unsigned char> others(count);
+  execution.For(count,
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t f = begin; f < end; ++f)
+      for (std::size_t v = begin; v < end; ++v)
       {
-        for (const Index v : mesh.Triangles[f])
-        {
-          const Span<Index> ring = rings.Row(v);
-          const bool beside =
-            std::any_of(ring.begin(), ring.end(), [&](Index w) { return !fixed[w]; });
-          kinds[f] = std::max<unsigned char>(kinds[f], !fixed[v] ? 2 : beside ? 1 : 0);
-        }
+        const Span<Index> ring = rings.Row(v);
+        beside[v] = std::any_of(ring.begin(), ring.end(), [&](Index w) { return !fixed[w]; });
       }
     });
-  using Sums = Eigen::Array4d;
-  const Sums sums = OrderedSum(execution, kinds.size(), Sums(Sums::Zero()),
-    [&](std::size_t f)
+  execution.For(count,
+    [&](std::size_t begin, std::size_t end)
     {
-      Sums sum = Sums::Zero();
-      for (const Index g : edgeAdjacent.Row(f))
+      for (std::size_t v = begin; v < end; ++v)
       {
-        const unsigned char kind = std::max(kinds[f], kinds[g]);
-        const double angle = AngleBetween(mesh.DoubleAreaVector(f), mesh.DoubleAreaVector(g));
-        if (kind > 0 && std::isfinite(angle))
-        {
-          sum[2 * (kind - 1)] += angle;
-          sum[2 * (kind - 1) + 1] += 1.0;
-        }
+        const Span<Index> ring = rings.Row(v);
+        const std::uint64_t lot = Lot(mesh.Positions[v]);
+        const bool near = std::any_of(ring.begin(), ring.end(), [&](Index w) { return beside[w]; });
+        const bool lost = std::any_of(ring.begin(), ring.end(),
+          [&](Index w) { return fixed[w] && Lot(mesh.Positions[w]) >= lot; });
+        others[v] = fixed[v] && !edges.BoundaryVertex[v] && near && !lost ? 0 : 1;
       }
-      return sum;
     });
-  return { sums[2] / std::max(1.0, sums[3]), sums[0] / std::max(1.0, sums[1]) };
+  return others;
+}
+
+/// How far the vertices that are not fixed have moved along their normals: what 90% stay below.
+double Moved(const TriangleMesh& mesh, const CompressedRows& stars, const Buffer<Vec3>& before,
+  const Buffer<unsigned char>& fixed)
+{
+  Buffer<double> heights;
+  for (std::size_t v = 0; v < fixed.size(); ++v)
+  {
+    if (!fixed[v])
+    {
+      Vec3 normal(0.0, 0.0, 0.0);
+      for (const Index f : stars.Row(v))
+      {
+        normal += mesh.DoubleAreaVector(f);
+      }
+      heights.push_back(std::abs(normal.stableNormalized().dot(mesh.Positions[v] - before[v])));
+    }
+  }
+  return heights.empty() ? std::numeric_limits<double>::infinity() : Percentile(heights, 0.9);
 }
 
 }
@@ -114,40 +166,27 @@ bool RepairSpikes(TriangleMesh& mesh, const CompressedRows& stars, const EdgeCen
   {
     return execution.Proceed(1.0);
   }
-  std::size_t moved = 0;
+  std::size_t spikes = 0;
   for (unsigned char& mark : fixed)
   {
-    moved += mark;
+    spikes += mark;
     mark = mark ? 0 : 1;
   }
   const CompressedRows rings = VertexRings(mesh, stars, execution);
-  const NeighborGraph edgeAdjacent = EdgeAdjacentFaces(mesh, stars, execution);
-  const Roughness before = RoughnessOf(mesh, edgeAdjacent, rings, fixed, execution);
   const Buffer<Vec3> input = mesh.Positions;
-  FillIn(mesh.Positions, rings, fixed, execution);
-  const FaceFilterSettings settings = WideSettings();
-  FaceFilterReport report;
-  FaceFilter filter(mesh, stars, edges.BoundaryVertex, edges.MeanEdgeLength, settings, report);
-  // Vertices at boundaries stay where they are; here all that are no spikes do.
-  const VertexUpdateSettings vertices;
-  VertexUpdate update(mesh, stars, fixed, edges.MeanEdgeLength, vertices);
-  Buffer<Vec3> normals;
-  for (int outer = 0; outer < OuterIterations; ++outer)
+  if (!MakeUp(mesh, stars, rings, edges, fixed, execution, 0.0, 0.5))
   {
-    const double done = double(outer) / OuterIterations;
-    const double next = double(outer + 1) / OuterIterations;
-    normals.clear();
-    filter.Renew(normals, execution);
-    if (!filter.Run(normals, {}, execution, done, next) ||
-      !update.Run(mesh.Positions, normals, 2, execution, next, next))
-    {
-      return false;
-    }
+    return false;
   }
-  const Roughness after = RoughnessOf(mesh, edgeAdjacent, rings, fixed, execution);
-  if (after.Repaired - before.Beside < MostLeft * (before.Repaired - before.Beside))
+  TriangleMesh trial = mesh;
+  const Buffer<unsigned char> others = ChooseControls(mesh, rings, edges, fixed, execution);
+  if (!MakeUp(trial, stars, rings, edges, others, execution, 0.5, 1.0))
   {
-    repaired = moved;
+    return false;
+  }
+  if (Moved(mesh, stars, input, fixed) > LeastGain * Moved(trial, stars, mesh.Positions, others))
+  {
+    repaired = spikes;
   }
   else
   {

@@ -19,9 +19,9 @@ namespace SurfaceDenoising
  * their neighbours, and from there to where they fit the robustly filtered normals around them; all
  * other vertices keep their positions to the bit.
  *
- * After that, the surface at these vertices must be about as smooth as it is beside them: the mean
- * angle between faces must have lost at least half of what it was above that of the edges around
- * which nothing has changed. Otherwise all goes back as it was: these vertices were no spikes.
+ * That is right where it misses less than the noise. So it is tried on some of the others near
+ * them, which are in place, as if they were spikes too. If spikes have not moved along the normals
+ * 3 times as far as these do (90% quantiles), all stays as it was.
  *
  * repaired is the number of vertices that were moved. The mesh has no seams. Returns false if the
  * execution asked to stop.

@@ -14,18 +14,18 @@ namespace SurfaceDenoising
 namespace
 {
 
-constexpr int Rounds = 3;
+constexpr int Rounds = 5;
 /// What is far, in what is usual around a vertex: large spikes are found first.
-constexpr double Far[Rounds] = { 4.0, 3.0, 2.5 };
+constexpr double Far[Rounds] = { 4.0, 3.0, 3.0, 2.5, 2.5 };
 constexpr double VeryFar = 8.0;
 /// Whatever is usual, in mean edge lengths.
 constexpr double LeastHeight = 0.05;
 /// Of impulsive noise: spikes among the vertices, and those very far off among the spikes.
 constexpr double LeastShare = 0.01;
 constexpr double LeastVeryFar = 0.15;
-/// Features are clustered by more than that, impulses by less: those that are missed are in rough
-/// places, and an impulse may let its neighbour look like one.
-constexpr double MostClustered = 1.4;
+/// Rows of features are clustered by more than that, impulses hardly: those that are missed are in
+/// rough places, and an impulse may let its neighbour look like one.
+constexpr double MostClustered = 2.0;
 
 class SpikeSearch
 {
@@ -146,7 +146,10 @@ bool FindImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
   {
     return false;
   }
-  search.Run(2);
+  for (int round = 2; round < Rounds; ++round)
+  {
+    search.Run(round);
+  }
   marks = std::move(search.Found());
   return true;
 }

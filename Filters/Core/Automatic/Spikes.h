@@ -30,13 +30,13 @@ Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows&
 /**
  * True if the mesh has impulsive noise, and then marks the vertices that it has moved. Spikes as of
  * FindSpikes are looked for again without those found before, which hide smaller ones and let the
- * vertices beside them look like spikes: above 3 times what is usual, then 2.5 times.
+ * vertices beside them look like spikes: twice above 3 times what is usual, twice above 2.5 times.
  *
  * Noise is impulsive if
  * - spikes are at least 1% of the vertices inside, and 15% of them are above 8 times what is usual
  *   (of Gaussian noise, hardly any is);
  * - and, in the second round, no more vertices beside spikes are spikes than if they were chosen at
- *   random, but for a factor of 1.4 and a standard deviation of chance. The same of vertices in the
+ *   random, but for a factor of 2 and a standard deviation of chance. The same of vertices in the
  *   second rings.
  */
 bool FindImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
