@@ -25,7 +25,7 @@ constexpr double LeastShare = 0.01;
 constexpr double LeastVeryFar = 0.15;
 /// Rows of features are clustered by more than that, impulses hardly: those that are missed are in
 /// rough places, and an impulse may let its neighbour look like one.
-constexpr double MostClustered = 2.0;
+constexpr double MostClustered = 1.4;
 
 class SpikeSearch
 {

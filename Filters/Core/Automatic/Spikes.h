@@ -36,7 +36,7 @@ Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows&
  * - spikes are at least 1% of the vertices inside, and 15% of them are above 8 times what is usual
  *   (of Gaussian noise, hardly any is);
  * - and, in the second round, no more vertices beside spikes are spikes than if they were chosen at
- *   random, but for a factor of 2 and a standard deviation of chance. The same of vertices in the
+ *   random, but for a factor of 1.4 and a standard deviation of chance. The same of vertices in the
  *   second rings.
  */
 bool FindImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
