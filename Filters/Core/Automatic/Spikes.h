@@ -7,8 +7,8 @@
  *
  * Noise that reaches some vertices and leaves the others alone has heavy tails, and what it does to
  * a vertex says nothing about the vertices beside it. Gaussian noise has no such tails. Features,
- * the steps of voxels among them, stick out in rows and patterns: beside one there is another one,
- * or there never is.
+ * the steps of voxels among them, stick out in rows and patterns: near one there are more of them
+ * than by chance.
  */
 
 #ifndef SurfaceDenoising_Spikes_h
