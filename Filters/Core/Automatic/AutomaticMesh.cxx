@@ -43,7 +43,8 @@ bool LooksImpulsive(const TriangleMesh& mesh, Execution& execution)
 {
   const MeshSample sample = SampleOf(mesh, execution);
   const CompressedRows stars = VertexStars(sample.Mesh);
-  return AreImpulses(sample.Mesh, stars, FindSpikes(sample.Mesh, stars, execution), execution);
+  Buffer<unsigned char> marks;
+  return FindImpulses(sample.Mesh, stars, marks, execution);
 }
 
 /// Root mean square of the displacements along the area-weighted normals of the result.

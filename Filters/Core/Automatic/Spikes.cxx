@@ -3,12 +3,10 @@
 
 #include "Spikes.h"
 
-#include "../Metrics.h"
 #include "../OneStage/VertexRings.h"
-#include "../RobustScale.h"
+#include "SpikeScores.h"
 
 #include <cmath>
-#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -16,106 +14,144 @@ namespace SurfaceDenoising
 namespace
 {
 
-constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr int Rounds = 5;
+/// What is far, in what is usual around a vertex: large spikes are found first.
+constexpr double Far[Rounds] = { 4.0, 3.0, 3.0, 2.5, 2.5 };
+constexpr double VeryFar = 8.0;
+/// Whatever is usual, in mean edge lengths.
+constexpr double LeastHeight = 0.05;
+/// Of impulsive noise: spikes among the vertices, and those very far off among the spikes.
+constexpr double LeastShare = 0.01;
+constexpr double LeastVeryFar = 0.15;
+/// Rows of features are clustered by more than that, impulses hardly: those that are missed are in
+/// rough places, and an impulse may let its neighbour look like one.
+constexpr double MostClustered = 1.4;
 
-/// Around a vertex of more faces than that, everything looks like a spike.
-constexpr std::size_t MostFaces = 400;
+class SpikeSearch
+{
+public:
+  SpikeSearch(const TriangleMesh& mesh, const CompressedRows& stars, Execution& execution)
+    : Mesh(mesh)
+    , Stars(stars)
+    , Host(execution)
+    , Edges(TakeEdgeCensus(mesh, stars, execution))
+    , Rings(VertexRings(mesh, stars, execution))
+    , Nearby(VerticesNearby(Rings, execution))
+    , Marks(mesh.NumberOfVertices(), 0)
+  {
+  }
+
+  /// Marks anew what is far without the marks so far. What has no score keeps its mark.
+  void Run(int round)
+  {
+    const SpikeScores scores = ScoreSpikes(this->Mesh, this->Stars, this->Rings, this->Nearby,
+      this->Edges, this->Marks, this->Host);
+    this->Inside = this->Spikes = this->VeryFarSpikes = 0;
+    for (std::size_t v = 0; v < this->Marks.size(); ++v)
+    {
+      if (!this->IsInside(v))
+      {
+        continue;
+      }
+      const double ratio = scores.Ratios[v];
+      if (std::isfinite(ratio))
+      {
+        const bool high = scores.Heights[v] > LeastHeight * this->Edges.MeanEdgeLength;
+        this->Marks[v] = high && ratio > Far[round] ? 1 : 0;
+      }
+      ++this->Inside;
+      this->Spikes += this->Marks[v];
+      this->VeryFarSpikes += this->Marks[v] && ratio > VeryFar ? 1 : 0;
+    }
+  }
+
+  bool HasHeavyTails() const
+  {
+    return this->Spikes > 0 && double(this->Spikes) >= LeastShare * double(this->Inside) &&
+      double(this->VeryFarSpikes) >= LeastVeryFar * double(this->Spikes);
+  }
+
+  /// Whether spikes say nothing about the vertices one and two rings away.
+  bool IsScattered() const
+  {
+    const double share = double(this->Spikes) / double(std::max<std::size_t>(this->Inside, 1));
+    std::size_t vertices[2] = { 0, 0 };
+    std::size_t spikes[2] = { 0, 0 };
+    for (std::size_t v = 0; v < this->Marks.size(); ++v)
+    {
+      for (const Index w : this->Marks[v] ? this->Nearby.Row(v) : Span<Index>())
+      {
+        if (this->IsInside(w))
+        {
+          const Span<Index> ring = this->Rings.Row(v);
+          const int apart = std::find(ring.begin(), ring.end(), w) == ring.end() ? 1 : 0;
+          ++vertices[apart];
+          spikes[apart] += this->Marks[w];
+        }
+      }
+    }
+    for (const int apart : { 0, 1 })
+    {
+      const double expected = share * double(vertices[apart]);
+      // Pairs are counted from both ends: the variance of the count is twice its expectation.
+      if (double(spikes[apart]) > MostClustered * expected + std::sqrt(2.0 * expected))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Buffer<unsigned char>& Found() { return this->Marks; }
+
+private:
+  bool IsInside(std::size_t v) const
+  {
+    return this->Stars.Row(v).size() > 0 && !this->Edges.BoundaryVertex[v];
+  }
+
+  const TriangleMesh& Mesh;
+  const CompressedRows& Stars;
+  Execution& Host;
+  const EdgeCensus Edges;
+  const CompressedRows Rings;
+  const CompressedRows Nearby;
+  Buffer<unsigned char> Marks;
+  std::size_t Inside = 0;
+  std::size_t Spikes = 0;
+  std::size_t VeryFarSpikes = 0;
+};
 
 }
 
 Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
-  Execution& execution, double least, double medians)
+  Execution& execution)
 {
-  const std::size_t count = mesh.NumberOfVertices();
-  const EdgeCensus census = TakeEdgeCensus(mesh, stars, execution);
-  FaceGeometry geometry;
-  ComputeFaceGeometry(mesh, census.MeanEdgeLength, geometry, execution);
-  Buffer<double> distances(count);
-  execution.For(
-    count,
-    [&](std::size_t begin, std::size_t end)
-    {
-      Buffer<double> heights;
-      std::vector<Index> faces;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Index v = static_cast<Index>(i);
-        faces.clear();
-        distances[v] = Unknown;
-        if (stars.Row(v).size() > MostFaces)
-        {
-          continue;
-        }
-        for (const Index f : stars.Row(v))
-        {
-          for (const Index w : mesh.Triangles[f])
-          {
-            const Span<Index> star = stars.Row(w);
-            faces.insert(faces.end(), star.begin(), star.end());
-          }
-        }
-        std::sort(faces.begin(), faces.end());
-        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-        heights.clear();
-        for (const Index f : faces)
-        {
-          if (!HasCorner(mesh.Triangles[f], v) && geometry.Areas[f] > 0.0)
-          {
-            heights.push_back(
-              std::abs(geometry.Normals[f].dot(mesh.Positions[v] - geometry.Centroids[f])));
-          }
-        }
-        if (heights.size() >= 4)
-        {
-          distances[v] = Percentile(heights, 0.15);
-        }
-      }
-    },
-    256);
-  Buffer<double> values;
-  std::copy_if(distances.begin(), distances.end(), std::back_inserter(values),
-    [](double value) { return std::isfinite(value); });
-  const double limit = std::max(medians * Median(values), least * census.MeanEdgeLength);
-  Buffer<unsigned char> spikes(count);
-  for (std::size_t v = 0; v < count; ++v)
-  {
-    spikes[v] = distances[v] > limit ? 1 : 0;
-  }
-  return spikes;
+  SpikeSearch search(mesh, stars, execution);
+  search.Run(0);
+  return std::move(search.Found());
 }
 
-bool AreImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<unsigned char>& spikes, Execution& execution)
+bool FindImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
+  Buffer<unsigned char>& marks, Execution& execution)
 {
-  const CompressedRows rings = VertexRings(mesh, stars, execution);
-  std::size_t used = 0;
-  std::size_t count = 0;
-  std::size_t neighbors = 0;
-  std::size_t both = 0;
-  for (std::size_t v = 0; v < spikes.size(); ++v)
-  {
-    used += stars.Row(v).size() > 0 ? 1 : 0;
-    if (spikes[v])
-    {
-      ++count;
-      neighbors += rings.Row(v).size();
-      for (const Index w : rings.Row(v))
-      {
-        both += spikes[w];
-      }
-    }
-  }
-  if (used == 0 || neighbors == 0)
+  SpikeSearch search(mesh, stars, execution);
+  search.Run(0);
+  if (!search.HasHeavyTails())
   {
     return false;
   }
-  const Buffer<unsigned char> large = FindSpikes(mesh, stars, execution, 0.1, 8.0);
-  if (double(std::count(large.begin(), large.end(), 1)) < 0.1 * double(count))
+  search.Run(1);
+  if (!search.IsScattered())
   {
     return false;
   }
-  const double share = double(count) / double(used);
-  return share > 0.022 && double(both) / double(neighbors) < 0.03 + 2.0 * share;
+  for (int round = 2; round < Rounds; ++round)
+  {
+    search.Run(round);
+  }
+  marks = std::move(search.Found());
+  return true;
 }
 
 }

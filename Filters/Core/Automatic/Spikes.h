@@ -4,6 +4,11 @@
 /**
  * @file Spikes.h
  * @brief Vertices far off the surface around them, and whether they are noise.
+ *
+ * Noise that reaches some vertices and leaves the others alone has heavy tails, and what it does to
+ * a vertex says nothing about the vertices beside it. Gaussian noise has no such tails. Features,
+ * the steps of voxels among them, stick out in rows and patterns: near one there are more of them
+ * than by chance.
  */
 
 #ifndef SurfaceDenoising_Spikes_h
@@ -15,23 +20,27 @@ namespace SurfaceDenoising
 {
 
 /**
- * Marks vertices that stick out of the surface around them with 1. The planes of the faces that
- * touch the ring of a vertex but not the vertex miss it by some distances, of which the 15%
- * quantile counts: a vertex of a sharp edge or corner lies in the planes of its sides, a spike in
- * none. It is a spike if that distance is above 4 medians (or as many as given) and above least
- * mean edge lengths.
+ * Marks vertices that stick out of the surface around them with 1: their height (SpikeScores.h) is
+ * above 4 times what is usual around them and above 0.05 mean edge lengths. Vertices at boundaries
+ * are never marked.
  */
 Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
-  Execution& execution, double least = 0.1, double medians = 4.0);
+  Execution& execution);
 
 /**
- * True if the spikes are impulsive noise: at least 2.2% of the vertices, and scattered. A neighbour
- * of a spike is one in at most a share of 0.03 + 2 p, p that of all vertices; narrow ridges, which
- * look like spikes, are rows of them. A tenth of them must be above 8 medians as well: bends of
- * coarse meshes are all alike.
+ * True if the mesh has impulsive noise, and then marks the vertices that it has moved. Spikes as of
+ * FindSpikes are looked for again without those found before, which hide smaller ones and let the
+ * vertices beside them look like spikes: twice above 3 times what is usual, twice above 2.5 times.
+ *
+ * Noise is impulsive if
+ * - spikes are at least 1% of the vertices inside, and 15% of them are above 8 times what is usual
+ *   (of Gaussian noise, hardly any is);
+ * - and, in the second round, no more vertices beside spikes are spikes than if they were chosen at
+ *   random, but for a factor of 1.4 and a standard deviation of chance. The same of vertices in the
+ *   second rings.
  */
-bool AreImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<unsigned char>& spikes, Execution& execution);
+bool FindImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
+  Buffer<unsigned char>& marks, Execution& execution);
 
 }
 
