@@ -87,6 +87,7 @@ const std::vector<Candidate>& Candidates()
       { planes, "sharp-edged", SurfaceType::Sharp, 0.3, any, RobustPlanes(60) },
       { composer, "smooth", SurfaceType::Curved, 0.3, any, Composed(80, 80, 3.0, 0.5, 1, 2) },
       { composer, "smooth", SurfaceType::Curved, 0.4, any, Composed(80, 48, 3.0, 1.0, 3, 5) },
+      { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(16, 48, 1.5, 0.2, 10, 10) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(40, 48, 3.0, 0.2, 10, 10) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(80, 96, 3.0, 0.2, 3, 5) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.4, any, Composed(40, 96, 3.0, 0.2, 10, 10) },

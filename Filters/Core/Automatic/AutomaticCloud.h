@@ -7,16 +7,16 @@
  * outliers.
  *
  * 1. EstimateNoise tells the noise level and the outliers.
- * 2. A dozen candidates, from a sharp filter of few neighbours to a smooth one of many, are tried
- *    on samples of the cloud: all on 2400 points, those that are not far behind on 8000. The one
- *    with the least estimated risk (CloudRisk.h) is chosen, or none if none is better than leaving
- *    the points alone.
+ * 2. A dozen candidates and half as many more if the noise is strong, from a sharp filter of few
+ *    neighbours to a smooth one of many, are tried on samples of the cloud: all on 2400 points,
+ *    those that are not far behind on 8000. The one with the least estimated risk (CloudRisk.h) is
+ *    chosen, or none if none is better than leaving the points alone.
  * 3. It runs on all points but the outliers, which so have no say in the fits of their neighbours.
  * 4. Outliers up to ten spacings from the plane of the nearest denoised points go there. Those that
  *    are farther away stay where they are, marked as kept: they are no part of this surface.
  *
- * Trying takes a few seconds whatever the size: small clouds take many times as long as the chosen
- * method alone, a cloud of 200 thousand points 2.8 times as long, larger ones less.
+ * Trying takes some seconds whatever the size: small clouds take many times as long as the chosen
+ * method alone, a cloud of 200 thousand points two to four times as long, larger ones less.
  */
 
 #ifndef SurfaceDenoising_AutomaticCloud_h

@@ -3,6 +3,7 @@
 
 #include "SpikeRepair.h"
 
+#include "../InterruptedExecution.h"
 #include "../Methods.h"
 #include "../Metrics.h"
 #include "../OneStage/VertexRings.h"
@@ -162,7 +163,13 @@ bool RepairSpikes(TriangleMesh& mesh, const CompressedRows& stars, const EdgeCen
 {
   repaired = 0;
   Buffer<unsigned char> fixed;
-  if (!FindImpulses(mesh, stars, fixed, execution))
+  InterruptedExecution searching(execution, 0.0);
+  const bool found = FindImpulses(mesh, stars, fixed, searching);
+  if (!searching.Proceed(0.0))
+  {
+    return false;
+  }
+  if (!found)
   {
     return execution.Proceed(1.0);
   }

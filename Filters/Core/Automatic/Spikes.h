@@ -38,6 +38,8 @@ Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows&
  * - and, in the second round, no more vertices beside spikes are spikes than if they were chosen at
  *   random, but for a factor of 1.4 and a standard deviation of chance. The same of vertices in the
  *   second rings.
+ *
+ * If the execution asks to stop, what comes back is of no use.
  */
 bool FindImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
   Buffer<unsigned char>& marks, Execution& execution);
