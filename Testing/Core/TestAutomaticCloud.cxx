@@ -5,6 +5,8 @@
 
 #include "Automatic/AutomaticCloud.h"
 
+#include "Impatient.h"
+#include "Noise.h"
 #include "NoisyClouds.h"
 #include "OddThreads.h"
 #include "Points/PointMethods.h"
@@ -58,20 +60,6 @@ double Best(const SurfaceCloud& clean, double noise)
   }
   return best;
 }
-
-/// Stops after being asked so often.
-class Impatient : public Execution
-{
-public:
-  explicit Impatient(int patience)
-    : Patience(patience)
-  {
-  }
-  bool Proceed(double) override { return this->Patience-- > 0; }
-
-private:
-  int Patience;
-};
 
 }
 
@@ -229,6 +217,29 @@ TEST(AutomaticCloud, OutliersHaveNoSayAndAreHandled)
     {
       EXPECT_LT(std::abs(cloud.Positions[i].norm() - 1.0), sphere.Spacing);
     }
+  }
+}
+
+TEST(AutomaticCloud, ImpulsesGoBack)
+{
+  const SurfaceCloud clouds[] = { SphereCloud(1500), CubeCloud(16) };
+  for (const SurfaceCloud& clean : clouds)
+  {
+    NoiseParameters parameters;
+    parameters.Kind = NoiseKind::Impulsive;
+    parameters.Deviation = 0.5 * clean.Spacing;
+    parameters.Fraction = 0.2;
+    const NoiseSource noise(parameters, clean.Positions.size());
+    PointCloud cloud;
+    cloud.Positions = clean.Positions;
+    for (std::size_t i = 0; i < cloud.Positions.size(); ++i)
+    {
+      cloud.Positions[i] += noise.Amplitude(i) * clean.Normals[i];
+    }
+    const Buffer<Vec3> before = cloud.Positions;
+    const AutomaticCloudReport report = Denoise(cloud);
+    EXPECT_LT(MeanDistance(clean, cloud.Positions), 0.4 * MeanDistance(clean, before));
+    EXPECT_GT(report.Pulled, cloud.Positions.size() / 10);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "Automatic/MeshSample.h"
 #include "AutomaticShapes.h"
 #include "CompareMeshes.h"
+#include "Impatient.h"
 #include "NoisyCube.h"
 #include "OddThreads.h"
 
@@ -30,25 +31,6 @@ TriangleMesh Noisy(const TriangleMesh& clean, double level)
   AddNormalNoise(mesh, level, 12345);
   return mesh;
 }
-
-/// Agrees to go on a number of times.
-class Impatient : public Execution
-{
-public:
-  explicit Impatient(int patience)
-    : Patience(patience)
-  {
-  }
-  bool Proceed(double fraction) override
-  {
-    EXPECT_GE(fraction, 0.0);
-    EXPECT_LE(fraction, 1.0);
-    return this->Patience-- > 0;
-  }
-
-private:
-  int Patience;
-};
 
 }
 

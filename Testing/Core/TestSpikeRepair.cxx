@@ -7,6 +7,7 @@
 #include "Automatic/Spikes.h"
 #include "AutomaticShapes.h"
 #include "CompareMeshes.h"
+#include "Impatient.h"
 #include "NoisyCube.h"
 #include "OddThreads.h"
 #include "OneStage/VertexRings.h"
@@ -191,6 +192,23 @@ TEST(SpikeRepair, OrderAndThreadsDoNotMatter)
   {
     EXPECT_LT((shuffled.Mesh.Positions[shuffled.Vertices[v]] - mesh.Positions[v]).norm(), 1e-9);
   }
+}
+
+TEST(SpikeRepair, StopsAtEveryQuestion)
+{
+  const TriangleMesh noisy = WithImpulses(Torus(20), 0.2, true);
+  int questions = 0;
+  for (bool finished = false; !finished; ++questions)
+  {
+    TriangleMesh mesh = noisy;
+    Impatient execution(questions);
+    const CompressedRows stars = VertexStars(mesh);
+    Execution serial;
+    const EdgeCensus edges = TakeEdgeCensus(mesh, stars, serial);
+    std::size_t repaired = 0;
+    finished = RepairSpikes(mesh, stars, edges, repaired, execution);
+  }
+  EXPECT_GT(questions, 20);
 }
 
 TEST(SpikeRepair, GetsThroughFaultyMeshes)

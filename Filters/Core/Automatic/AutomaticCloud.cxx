@@ -5,9 +5,9 @@
 
 #include "Automatic/CloudRisk.h"
 #include "Automatic/ProgressShare.h"
+#include "Automatic/SurfaceStep.h"
 #include "InterruptedExecution.h"
 #include "KdTree.h"
-#include "Points/PlaneFit.h"
 #include "Points/PointMethods.h"
 #include "SpatialOrder.h"
 
@@ -106,36 +106,34 @@ const std::vector<Candidate>& Candidates()
 constexpr std::size_t RoughParts = 3;
 constexpr std::size_t FineParts = 10;
 
-/// Points whose plane outliers go to.
-constexpr std::size_t PlaneNeighbors = 12;
-
-/// Places of outliers on the planes of the denoised points; those farther away than reach stay.
+/// Places of outliers on the surface of the denoised points; those farther away than reach stay.
 void PullOutliers(PointCloud& cloud, const Buffer<Index>& outliers, const PointCloud& clean,
   double reach, AutomaticCloudReport& report)
 {
   const KdTree tree(clean.Positions);
   std::vector<Index> found;
+  SurfaceStep way;
   for (const Index i : outliers)
   {
     const Vec3 place = cloud.Positions[i];
     cloud.Status[i] = PointStatus::Kept;
-    tree.Nearest(place, PlaneNeighbors, found);
-    PlaneSum sum;
+    tree.Nearest(place, SurfaceStep::QuadricNeighbors, found);
+    way.Start();
     Vec3 side(0.0, 0.0, 0.0);
     for (const Index j : found)
     {
-      sum.Add(clean.Positions[j] - place);
+      way.Add(clean.Positions[j] - place);
       side += clean.Normals[j];
     }
-    const Plane plane = sum.Fit();
-    const double height = -plane.Normal.dot(plane.Centre);
-    if (plane.Normal.isZero(0.0) || std::abs(height) > reach)
+    Vec3 normal;
+    const Vec3 step = way.Step(normal);
+    if (normal.isZero(0.0) || step.norm() > reach)
     {
       ++report.LeftOutliers;
       continue;
     }
-    cloud.Positions[i] = place - height * plane.Normal;
-    cloud.Normals[i] = side.dot(plane.Normal) < 0.0 ? Vec3(-plane.Normal) : plane.Normal;
+    cloud.Positions[i] = place + step;
+    cloud.Normals[i] = side.dot(normal) < 0.0 ? Vec3(-normal) : normal;
     cloud.Status[i] = PointStatus::Filtered;
     ++report.Pulled;
   }

@@ -12,8 +12,9 @@
  *    those that are not far behind on 8000. The one with the least estimated risk (CloudRisk.h) is
  *    chosen, or none if none is better than leaving the points alone.
  * 3. It runs on all points but the outliers, which so have no say in the fits of their neighbours.
- * 4. Outliers up to ten spacings from the plane of the nearest denoised points go there. Those that
- *    are farther away stay where they are, marked as kept: they are no part of this surface.
+ * 4. Outliers up to ten spacings from the surface of the nearest denoised points (SurfaceStep.h) go
+ *    there. Those that are farther away stay where they are, marked as kept: they are no part of
+ *    this surface.
  *
  * Trying takes some seconds whatever the size: small clouds take many times as long as the chosen
  * method alone, a cloud of 200 thousand points two to four times as long, larger ones less.

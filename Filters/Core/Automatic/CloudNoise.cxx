@@ -3,7 +3,9 @@
 
 #include "Automatic/CloudNoise.h"
 
+#include "Automatic/CloudImpulses.h"
 #include "InterruptedExecution.h"
+#include "Metrics.h"
 #include "Points/PlaneFit.h"
 #include "Points/PointNeighbors.h"
 #include "Points/PointRuns.h"
@@ -235,6 +237,24 @@ void FindOutliers(const NeighborGraph& nearest, const Buffer<double>& spacings,
   }
 }
 
+/// Where noise of all points is stronger, in spacings, and uneven, its tail looks like impulses.
+constexpr double LittleNoise = 0.1;
+
+/// False for normally distributed noise without edges or detail, to which impulses need not be
+/// looked for.
+bool HasHeavyTails(const Buffer<double>& heights)
+{
+  Buffer<double> known;
+  for (const double height : heights)
+  {
+    if (height >= 0.0)
+    {
+      known.push_back(height);
+    }
+  }
+  return !known.empty() && Percentile(known, 0.99) > 6.0 * Median(known);
+}
+
 }
 
 CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
@@ -269,6 +289,16 @@ CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
   noise.Deviation = DeviationOf(fits, noise.Spacing);
   Buffer<unsigned char> outliers;
   FindOutliers(nearest, spacings, fits, noise, outliers);
+  Buffer<unsigned char> impulses;
+  if (noise.Level() < LittleNoise && HasHeavyTails(fits.Heights) &&
+    FindImpulses(ordered, nearest, noise.Spacing, impulses, interrupted))
+  {
+    for (std::size_t i = 0; i < outliers.size(); ++i)
+    {
+      noise.Off += impulses[i] && !outliers[i] ? 1 : 0;
+      outliers[i] = std::max(outliers[i], impulses[i]);
+    }
+  }
   if (noise.Far + noise.Off > 0 && interrupted.Proceed(0.0))
   {
     noise.Deviation =

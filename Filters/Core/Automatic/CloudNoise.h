@@ -66,9 +66,11 @@ struct CloudNoise
  * of its neighbours unless these lie all around (deviations from the polynomial of 0.3 spacings).
  * Off the surface is one that is more than max(6 sigma, 3 s) above or below the polynomial of its
  * 20 nearest others, three times as far as the median of these, and has 1.4 times their spacing.
- * The deviation is that of the other points. Points that are not finite are left out. Too few
- * points for a fit have no noise. Neither the order of points nor the number of threads matters. If
- * the execution asks to stop, what comes back is of no use.
+ * Off are also the points that impulsive noise has moved (CloudImpulses.h), which is looked for
+ * where heights over the polynomial have heavy tails. The deviation is that of the other points.
+ * Points that are not finite are left out. Too few points for a fit have no noise. Neither the
+ * order of points nor the number of threads matters. If the execution asks to stop, what comes back
+ * is of no use.
  */
 CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution);
 

@@ -4,8 +4,7 @@
 #include "SpikeScores.h"
 
 #include "../Metrics.h"
-
-#include <Eigen/Cholesky>
+#include "RobustQuadric.h"
 
 #include <cmath>
 #include <limits>
@@ -18,13 +17,8 @@ namespace
 
 constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t MostNeighbors = 400;
-/// Planes and vertices that a height needs, and heights that a ratio needs.
+/// Planes that a height needs.
 constexpr std::size_t LeastPlanes = 4;
-constexpr std::size_t LeastPoints = 8;
-constexpr std::size_t LeastHeights = 5;
-constexpr int Reweightings = 6;
-
-using Row = Eigen::Matrix<double, 6, 1>;
 
 /// What a thread needs to score vertices one after the other.
 class Scorer
@@ -85,49 +79,19 @@ public:
       }
     }
     scale /= double(std::max<std::size_t>(count, 1));
-    if (count < LeastPoints || count > MostNeighbors || !(scale > 0.0) || !(length > 0.0))
+    if (count > MostNeighbors || !(scale > 0.0) || !(length > 0.0))
     {
       return Unknown;
     }
-    const Vec3 up = normal / length;
-    const Vec3 x = up.unitOrthogonal();
-    const Vec3 y = up.cross(x);
-    this->Rows.clear();
-    this->Values.clear();
+    this->Quadric.Start(normal / length, scale);
     for (const Index w : nearby)
     {
       if (!this->Marks[w])
       {
-        const Vec3 d = (this->Mesh.Positions[w] - this->Mesh.Positions[v]) / scale;
-        const double a = d.dot(x);
-        const double b = d.dot(y);
-        this->Rows.emplace_back();
-        this->Rows.back() << 1.0, a, b, a * a, a * b, b * b;
-        this->Values.push_back(d.dot(up));
+        this->Quadric.Add(this->Mesh.Positions[w] - this->Mesh.Positions[v]);
       }
     }
-    this->Weights.assign(count, 1.0);
-    Row terms = Row::Zero();
-    for (int step = 0; step < Reweightings; ++step)
-    {
-      Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-      Row right = Row::Zero();
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        const Row weighted = this->Weights[k] * this->Rows[k];
-        matrix += weighted * this->Rows[k].transpose();
-        right += this->Values[k] * weighted;
-      }
-      // Points on a few lines do not determine all terms.
-      matrix.diagonal().array() += 1e-9 * double(count);
-      terms = matrix.ldlt().solve(right);
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        const double residual = std::abs(this->Values[k] - terms.dot(this->Rows[k]));
-        this->Weights[k] = 1.0 / std::max(0.01, residual);
-      }
-    }
-    return std::abs(terms[0]) * scale;
+    return std::abs(this->Quadric.Height());
   }
 
 private:
@@ -137,8 +101,7 @@ private:
   const Buffer<unsigned char>& Marks;
   std::vector<Index> Faces;
   Buffer<double> Values;
-  Buffer<double> Weights;
-  std::vector<Row> Rows;
+  RobustQuadric Quadric;
 };
 
 /// Sums of the area vectors around each vertex and its ring: one spike does not tilt them much.
@@ -214,7 +177,6 @@ SpikeScores ScoreSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
   const std::size_t count = mesh.NumberOfVertices();
   SpikeScores scores;
   scores.Heights.assign(count, Unknown);
-  scores.Ratios.assign(count, Unknown);
   execution.For(
     count,
     [&](std::size_t begin, std::size_t end)
@@ -234,30 +196,7 @@ SpikeScores ScoreSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
       }
     },
     256);
-  // Rounding errors of flat places are no scale.
-  const double least = 1e-12 * edges.MeanEdgeLength;
-  execution.For(
-    count,
-    [&](std::size_t begin, std::size_t end)
-    {
-      Buffer<double> heights;
-      for (std::size_t v = begin; v < end; ++v)
-      {
-        heights.clear();
-        for (const Index w : nearby.Row(v))
-        {
-          if (!marks[w] && std::isfinite(scores.Heights[w]))
-          {
-            heights.push_back(scores.Heights[w]);
-          }
-        }
-        if (heights.size() >= LeastHeights && least > 0.0)
-        {
-          scores.Ratios[v] = scores.Heights[v] / std::max(least, Percentile(heights, 2.0 / 3.0));
-        }
-      }
-    },
-    256);
+  CompareWithUsual(scores, nearby, marks, edges.MeanEdgeLength, execution);
   return scores;
 }
 

@@ -13,23 +13,17 @@
  *   the absolute residuals as the error (iteratively reweighted), so that some spikes among them do
  *   not matter. A vertex of a coarse or strongly curved surface lies on it.
  *
- * A spike is far off both. How far is far depends on the place: the ratio of a vertex is its height
- * over the upper third (the 2/3 quantile) of the heights within two rings.
+ * A spike is far off both, compared with what is usual within two rings (ImpulseSearch.h).
  */
 
 #ifndef SurfaceDenoising_SpikeScores_h
 #define SurfaceDenoising_SpikeScores_h
 
 #include "../TriangleMesh.h"
+#include "ImpulseSearch.h"
 
 namespace SurfaceDenoising
 {
-
-struct SpikeScores
-{
-  Buffer<double> Heights; ///< lengths; NaN where there are not enough planes
-  Buffer<double> Ratios;  ///< NaN as well where few vertices around have a height
-};
 
 /// The vertices within two rings of every vertex without itself. Paths through vertices of more
 /// than 400 others do not count: around those, everything would be near everything.
