@@ -118,7 +118,7 @@ bool vtkDenoiseSurface::DenoiseMesh(vtkPolyData* input, vtkPolyData* output)
   this->NoiseLevel = found.Plan.Noise.Level;
   this->NumberOfOutliers = static_cast<vtkIdType>(found.RepairedVertices);
   this->ChosenMethods = NamesOf(found.Plan.Methods);
-  this->Reason = found.Plan.Reason;
+  this->Explain(found.Plan.Reason, found.RepairedVertices);
   sd::DenoisingReport report;
   report.Add("Mean Edge Length", edge);
   report.Add("Noise In Edge Lengths", this->NoiseLevel);
@@ -179,7 +179,7 @@ bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
   this->NoiseLevel = found.Noise.Level();
   this->NumberOfOutliers = static_cast<vtkIdType>(found.Noise.Far + found.Noise.Off);
   this->ChosenMethods = found.Choice.Method;
-  this->Reason = found.Choice.Reason;
+  this->Explain(found.Choice.Reason, found.Pulled);
   sd::DenoisingReport report;
   report.Add("Mean Spacing", found.Noise.Spacing);
   report.Add("Noise In Spacings", this->NoiseLevel);
@@ -209,6 +209,13 @@ void vtkDenoiseSurface::ForgetReport()
   this->NumberOfFeatureEdgesBefore = 0;
   this->NumberOfFeatureEdgesAfter = 0;
   this->NumberOfFlippedFaces = 0;
+}
+
+void vtkDenoiseSurface::Explain(const std::string& reason, std::size_t putBack)
+{
+  this->Reason = putBack > 0
+    ? std::to_string(putBack) + " single points off the surface were put back. " + reason
+    : reason;
 }
 
 void vtkDenoiseSurface::TakeChange(const sd::SurfaceChange& change, sd::DenoisingReport& report)

@@ -164,6 +164,7 @@ private:
   bool DenoiseMesh(vtkPolyData* input, vtkPolyData* output);
   bool DenoiseCloud(vtkPolyData* input, vtkPolyData* output);
   void ForgetReport();
+  void Explain(const std::string& reason, std::size_t putBack);
   void TakeChange(const SurfaceDenoising::SurfaceChange& change,
     SurfaceDenoising::DenoisingReport& report);
   void WriteChoice(vtkPolyData* output) const;

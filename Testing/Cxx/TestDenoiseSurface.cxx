@@ -172,6 +172,19 @@ void TestClouds(int& failures)
   CHECK(Figure(output, "Mean Displacement") > 0.0);
   CHECK(!filter->GetReason().empty() && filter->GetChosenMethods() != "None");
 
+  // Single points that are off the surface go back, and the others stay.
+  auto pricked = SphereCloud(1200, 0.0);
+  for (vtkIdType i = 0; i < pricked->GetNumberOfPoints(); i += 10)
+  {
+    double p[3];
+    pricked->GetPoint(i, p);
+    vtkMath::MultiplyScalar(p, 1.06);
+    pricked->GetPoints()->SetPoint(i, p);
+  }
+  output = Run(filter, pricked, seen);
+  CHECK(Roughness(output) < 0.3 * Roughness(pricked));
+  CHECK(filter->GetReason().find("120 single points") == 0 && filter->GetNumberOfOutliers() == 120);
+
   // Clean clouds stay, and get normals.
   auto clean = SphereCloud(1200, 0.0);
   output = Run(filter, clean, seen);

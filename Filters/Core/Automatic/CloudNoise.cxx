@@ -252,7 +252,7 @@ bool HasHeavyTails(const Buffer<double>& heights)
       known.push_back(height);
     }
   }
-  return !known.empty() && Percentile(known, 0.99) > 6.0 * Median(known);
+  return !known.empty() && Percentile(known, 0.99) > 4.5 * Median(known);
 }
 
 }

@@ -3,6 +3,8 @@
 
 #include "RobustQuadric.h"
 
+#include <Eigen/Cholesky>
+
 #include <cmath>
 #include <limits>
 
@@ -31,8 +33,7 @@ void RobustQuadric::Add(const Vec3& offset)
   const Vec3 d = offset / this->Scale;
   const double a = d.dot(this->X);
   const double b = d.dot(this->Y);
-  this->Rows.emplace_back();
-  this->Rows.back() << 1.0, a, b, a * a, a * b, b * b;
+  this->Rows.push_back({ 1.0, a, b, a * a, a * b, b * b });
   this->Values.push_back(d.dot(this->Up));
 }
 
@@ -44,24 +45,44 @@ double RobustQuadric::Height()
     return std::numeric_limits<double>::quiet_NaN();
   }
   this->Weights.assign(count, 1.0);
-  Row terms = Row::Zero();
+  Eigen::Matrix<double, 6, 1> terms;
   for (int step = 0; step < Reweightings; ++step)
   {
-    Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-    Row right = Row::Zero();
+    // Plain sums: this is where the time goes.
+    double sums[6][6] = {};
+    double right[6] = {};
     for (std::size_t k = 0; k < count; ++k)
     {
-      const Row weighted = this->Weights[k] * this->Rows[k];
-      matrix += weighted * this->Rows[k].transpose();
-      right += this->Values[k] * weighted;
+      const Row& row = this->Rows[k];
+      for (int i = 0; i < 6; ++i)
+      {
+        const double weighted = this->Weights[k] * row[i];
+        right[i] += weighted * this->Values[k];
+        for (int j = 0; j <= i; ++j)
+        {
+          sums[i][j] += weighted * row[j];
+        }
+      }
     }
-    // Points on a few lines do not determine all terms.
-    matrix.diagonal().array() += 1e-9 * double(count);
-    terms = matrix.ldlt().solve(right);
+    Eigen::Matrix<double, 6, 6> matrix;
+    for (int i = 0; i < 6; ++i)
+    {
+      for (int j = 0; j <= i; ++j)
+      {
+        matrix(i, j) = matrix(j, i) = sums[i][j];
+      }
+      // Points on a few lines do not determine all terms.
+      matrix(i, i) += 1e-9 * double(count);
+    }
+    terms = matrix.ldlt().solve(Eigen::Map<const Eigen::Matrix<double, 6, 1>>(right));
     for (std::size_t k = 0; k < count; ++k)
     {
-      const double residual = std::abs(this->Values[k] - terms.dot(this->Rows[k]));
-      this->Weights[k] = 1.0 / std::max(0.01, residual);
+      double value = 0.0;
+      for (int i = 0; i < 6; ++i)
+      {
+        value += terms[i] * this->Rows[k][i];
+      }
+      this->Weights[k] = 1.0 / std::max(0.01, std::abs(this->Values[k] - value));
     }
   }
   return terms[0] * this->Scale;

@@ -11,8 +11,7 @@
 
 #include "../Types.h"
 
-#include <Eigen/Cholesky>
-
+#include <array>
 #include <vector>
 
 namespace SurfaceDenoising
@@ -40,7 +39,8 @@ public:
   double Height();
 
 private:
-  using Row = Eigen::Matrix<double, 6, 1>;
+  /// 1, x, y, x^2, x y, y^2
+  using Row = std::array<double, 6>;
 
   Vec3 Up;
   Vec3 X;
