@@ -4,6 +4,7 @@
 #include "SpikeScores.h"
 
 #include "../Metrics.h"
+#include "../OneStage/VertexRings.h"
 #include "RobustQuadric.h"
 
 #include <cmath>
@@ -104,38 +105,6 @@ private:
   RobustQuadric Quadric;
 };
 
-/// Sums of the area vectors around each vertex and its ring: one spike does not tilt them much.
-Buffer<Vec3> RingNormals(const TriangleMesh& mesh, const CompressedRows& stars,
-  const CompressedRows& rings, Execution& execution)
-{
-  Buffer<Vec3> own(mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
-  Buffer<Vec3> normals(mesh.NumberOfVertices());
-  execution.For(own.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t v = begin; v < end; ++v)
-      {
-        for (const Index f : stars.Row(v))
-        {
-          own[v] += mesh.DoubleAreaVector(f);
-        }
-      }
-    });
-  execution.For(own.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t v = begin; v < end; ++v)
-      {
-        normals[v] = own[v];
-        for (const Index w : rings.Row(v))
-        {
-          normals[v] += own[w];
-        }
-      }
-    });
-  return normals;
-}
-
 }
 
 CompressedRows VerticesNearby(const CompressedRows& rings, Execution& execution)
@@ -173,7 +142,7 @@ SpikeScores ScoreSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
 {
   FaceGeometry geometry;
   ComputeFaceGeometry(mesh, edges.MeanEdgeLength, geometry, execution);
-  const Buffer<Vec3> normals = RingNormals(mesh, stars, rings, execution);
+  const Buffer<Vec3> normals = SmoothNormals(mesh, stars, rings, 1, execution);
   const std::size_t count = mesh.NumberOfVertices();
   SpikeScores scores;
   scores.Heights.assign(count, Unknown);

@@ -25,43 +25,6 @@ constexpr double LowerQuartile = 0.318639363964375;
 /// A fit of more points costs more and tells no more.
 constexpr std::size_t MostNeighbors = 400;
 
-/// Sums of the normals around the vertices, twice smoothed: the normals of noisy stars tilt.
-Buffer<Vec3> SmoothNormals(const TriangleMesh& mesh, const CompressedRows& stars,
-  const CompressedRows& rings, Execution& execution)
-{
-  Buffer<Vec3> normals(mesh.NumberOfVertices());
-  Buffer<Vec3> smoothed(mesh.NumberOfVertices());
-  execution.For(normals.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t v = begin; v < end; ++v)
-      {
-        normals[v] = Vec3::Zero();
-        for (const Index f : stars.Row(v))
-        {
-          normals[v] += mesh.DoubleAreaVector(f);
-        }
-      }
-    });
-  for (int round = 0; round < 2; ++round)
-  {
-    execution.For(normals.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t v = begin; v < end; ++v)
-        {
-          smoothed[v] = normals[v];
-          for (const Index w : rings.Row(v))
-          {
-            smoothed[v] += normals[w];
-          }
-        }
-      });
-    normals.swap(smoothed);
-  }
-  return normals;
-}
-
 /// Adds one more ring to a sorted list of vertices.
 void Grow(const CompressedRows& rings, std::vector<Index>& vertices)
 {
@@ -162,7 +125,7 @@ SurfaceNoise EstimateNoise(const TriangleMesh& mesh, const CompressedRows& stars
   SurfaceNoise noise;
   const CompressedRows rings = VertexRings(mesh, stars, execution);
   const EdgeCensus census = TakeEdgeCensus(mesh, stars, execution);
-  const Buffer<Vec3> normals = SmoothNormals(mesh, stars, rings, execution);
+  const Buffer<Vec3> normals = SmoothNormals(mesh, stars, rings, 2, execution);
   Buffer<double> fine(mesh.NumberOfVertices());
   Buffer<double> coarse(mesh.NumberOfVertices());
   execution.For(

@@ -26,4 +26,40 @@ CompressedRows VertexRings(const TriangleMesh& mesh, const CompressedRows& stars
     });
 }
 
+Buffer<Vec3> SmoothNormals(const TriangleMesh& mesh, const CompressedRows& stars,
+  const CompressedRows& rings, int rounds, Execution& execution)
+{
+  Buffer<Vec3> normals(mesh.NumberOfVertices());
+  Buffer<Vec3> smoothed(mesh.NumberOfVertices());
+  execution.For(normals.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        normals[v] = Vec3::Zero();
+        for (const Index f : stars.Row(v))
+        {
+          normals[v] += mesh.DoubleAreaVector(f);
+        }
+      }
+    });
+  for (int round = 0; round < rounds; ++round)
+  {
+    execution.For(normals.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t v = begin; v < end; ++v)
+        {
+          smoothed[v] = normals[v];
+          for (const Index w : rings.Row(v))
+          {
+            smoothed[v] += normals[w];
+          }
+        }
+      });
+    normals.swap(smoothed);
+  }
+  return normals;
+}
+
 }

@@ -18,6 +18,11 @@ namespace SurfaceDenoising
 CompressedRows VertexRings(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution);
 
+/// Sums of the area vectors of the faces around every vertex, to which those of the ring are added
+/// so many times: the normals of noisy stars tilt.
+Buffer<Vec3> SmoothNormals(const TriangleMesh& mesh, const CompressedRows& stars,
+  const CompressedRows& rings, int rounds, Execution& execution);
+
 }
 
 #endif
