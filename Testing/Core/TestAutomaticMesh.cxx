@@ -82,6 +82,25 @@ TEST(AutomaticMesh, WeakAndStrongNoise)
   }
 }
 
+// Noise that is larger than triangles are high folds them over. Surfaces without noise have no
+// folds: what is there to judge by is how many of them a chain leaves.
+TEST(AutomaticMesh, UnfoldsSlivers)
+{
+  TriangleMesh clean = Torus(20);
+  for (Vec3& p : clean.Positions)
+  {
+    p[0] *= 12.0;
+  }
+  for (const double level : { 0.5, 0.7 })
+  {
+    TriangleMesh mesh = Noisy(clean, level);
+    const double before = Measure(mesh, clean).MeanAngle;
+    EXPECT_GT(before, 70.0);
+    Automatic(mesh);
+    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.7 * before) << level;
+  }
+}
+
 // Steps of voxels look like strong noise, but they are not white.
 TEST(AutomaticMesh, DoesNoHarmToVoxels)
 {

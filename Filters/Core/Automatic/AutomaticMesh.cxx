@@ -19,11 +19,12 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// Faces that chains are tried on: enough to tell them apart, few enough to try them all in less
-/// than twice the time that the chosen chain takes on a million.
-constexpr std::size_t SampleFaces = 8000;
-/// Patches have rims. Meshes up to this size are taken as they are.
-constexpr std::size_t WholeFaces = 14000;
+/// Faces that chains are tried on. Patches have rims: meshes up to this size are taken as they are.
+constexpr std::size_t TrialFaces = 24000;
+/// The same for large meshes: few enough to try all chains on in less than twice the time that a
+/// quick one takes on a million.
+constexpr std::size_t LargeMesh = 200000;
+constexpr std::size_t TrialFacesOfLarge = 8000;
 
 std::string Describe(const SurfaceNoise& noise)
 {
@@ -35,7 +36,8 @@ std::string Describe(const SurfaceNoise& noise)
 
 MeshSample SampleOf(const TriangleMesh& mesh, Execution& execution)
 {
-  return TakeSample(mesh, mesh.NumberOfFaces() > WholeFaces ? SampleFaces : WholeFaces, execution);
+  return TakeSample(mesh, mesh.NumberOfFaces() > LargeMesh ? TrialFacesOfLarge : TrialFaces,
+    execution);
 }
 
 /// What the mesh itself would say, from a part of it.

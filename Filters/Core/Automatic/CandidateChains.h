@@ -20,7 +20,7 @@ struct CandidateChain
 {
   const char* Purpose; ///< what it is for, for people
   SurfaceType Type;
-  bool MakesTruth = false; ///< its results serve as truths, see ChainTrials
+  bool MakesTruth = false; ///< its results serve as truths, see PlausibleSurfaces
   std::vector<Method> Methods;
   MethodChain Steps;
 };

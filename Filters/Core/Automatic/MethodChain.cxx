@@ -25,4 +25,11 @@ bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Buffer<Vec3>& normal
   return true;
 }
 
+bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Execution& execution)
+{
+  Buffer<Vec3> normals;
+  MeshDenoisingReport report;
+  return RunChain(mesh, chain, normals, report, execution);
+}
+
 }

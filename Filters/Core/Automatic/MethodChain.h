@@ -23,6 +23,9 @@ using MethodChain = std::vector<MeshDenoisingSettings>;
 bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Buffer<Vec3>& normals,
   MeshDenoisingReport& report, Execution& execution);
 
+/// The same for whom the mesh is enough.
+bool RunChain(TriangleMesh& mesh, const MethodChain& chain, Execution& execution);
+
 }
 
 #endif

@@ -16,9 +16,6 @@ namespace
 
 constexpr double Degrees = 180.0 / 3.14159265358979323846;
 
-/// Noise in random directions has at least this part along the surface of what it has across.
-constexpr double LeastPart = 0.7;
-
 /// The angle between unit vectors at this distance.
 double AngleAt(double distance) { return 2.0 * std::asin(std::min(1.0, 0.5 * distance)) * Degrees; }
 
@@ -124,19 +121,6 @@ double TrialSample::FoldedShare(const Buffer<Vec3>& normals) const
 Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind) const
 {
   Buffer<Vec3> noise = VertexNormals(surface);
-  double across = 0.0;
-  double along = 0.0;
-  for (std::size_t v = 0; v < noise.size(); ++v)
-  {
-    const Vec3 step = this->Mesh().Positions[v] - surface.Positions[v];
-    const double height = step.dot(noise[v]);
-    across += height * height;
-    along += (step - height * noise[v]).squaredNorm();
-  }
-  // Two directions along the surface, one across.
-  const double part =
-    across > 0.0 ? std::clamp(std::sqrt(0.5 * along / across), LeastPart, 1.0) : LeastPart;
-
   NoiseParameters parameters;
   parameters.Deviation = 1.0;
   parameters.Seed = 1;
@@ -150,7 +134,7 @@ Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind) co
       const Vec3 outwards = surface.Positions[v] - this->Sample.Middle;
       const Vec3 x = (outwards - outwards.dot(normal) * normal).stableNormalized();
       const Vec3 direction = source.Direction(key);
-      noise[v] = direction[2] * normal + part * (direction[0] * x + direction[1] * normal.cross(x));
+      noise[v] = direction[2] * normal + direction[0] * x + direction[1] * normal.cross(x);
     }
     noise[v] *= source.Amplitude(key);
   }

@@ -49,9 +49,7 @@ public:
   /**
    * Gaussian displacements of deviation 1 for the vertices of a surface with the faces of the
    * sample. They depend on the place of a vertex in the order of distances from the middle alone,
-   * and turn with the surface. Of those in random directions, the part along the surface is as
-   * much smaller than that along the normals as that of the step from the surface to the sample:
-   * what filters have not taken away is in the surface still. It is at least 0.7 of it.
+   * and turn with the surface.
    */
   Buffer<Vec3> Noise(const TriangleMesh& surface, TrialNoise kind) const;
 

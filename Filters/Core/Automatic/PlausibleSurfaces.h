@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file PlausibleSurfaces.h
+ * @brief Surfaces that a noisy mesh may have been before the noise, and how plausible they are.
+ *
+ * Each is what a chain makes of the noisy mesh y: T. Noise is added to it again, along the normals
+ * or in random directions, as much as makes the lower quartile of the angles between adjacent faces
+ * that of y. There are many T, of chains that round edges and of chains that make some, and each is
+ * put to a test (indirect inference: C. Gourieroux, A. Monfort, E. Renault, Journal of Applied
+ * Econometrics 8, 1993):
+ *
+ *   misfit = (mean |log(m_T / m_y)| over m in M1 + the same over M2) / 2.
+ *
+ * M1 are the mean angles between the mesh and what four quick chains make of it, each with each,
+ * M2 quantiles (10, 25, 50, 75, 90%) of the angles between adjacent faces. Noise that is left in T
+ * is not told from shape by that, so that smooth T are preferred: to the misfit is added the share
+ * of folded edges of T and 0.05 times the median angle between its adjacent faces over that of y.
+ *
+ * Surfaces without noise have hardly any folded edges (adjacent faces turned by 120 degrees or
+ * more). If 5% of those of y are, it is noise that folds them; from 10% to 20%, what those of T
+ * cost rises to three times their share.
+ */
+
+#ifndef SurfaceDenoising_PlausibleSurfaces_h
+#define SurfaceDenoising_PlausibleSurfaces_h
+
+#include "CandidateChains.h"
+#include "TrialSample.h"
+
+#include <cmath>
+#include <limits>
+
+namespace SurfaceDenoising
+{
+
+/// Angles below are as good as none, in degrees.
+constexpr double SofteningAngle = 0.1;
+
+inline double LogarithmOfAngles(double angle, double over)
+{
+  return std::log((angle + SofteningAngle) / (over + SofteningAngle));
+}
+
+struct PlausibleSurface
+{
+  TrialNoise Kind = TrialNoise::AlongNormals;
+  double Misfit = 0.0; ///< with the folds, if noise makes folds
+  double Sum = 0.0;    ///< misfit and the rest: less is more plausible
+  Buffer<Vec3> Normals;
+  TriangleMesh Surface;
+  double Deviation = 0.0; ///< of the noise, a length
+};
+
+class PlausibleSurfaces
+{
+public:
+  /// The sample must outlive this.
+  explicit PlausibleSurfaces(const TrialSample& sample);
+
+  /// What the candidates that make truths find, by ascending Sum. Returns false if the execution
+  /// asked to stop.
+  bool Find(const std::vector<const CandidateChain*>& candidates, Execution& execution);
+
+  const std::vector<PlausibleSurface>& BySum() const { return this->Surfaces; }
+  /// That with the least misfit; there must be one.
+  const PlausibleSurface& BestFitting() const;
+  /// False if the misfits of all are too large. Where noise folds faces, none is.
+  bool AnyFits() const;
+
+  /// The surface with strength times the noise that was found for it.
+  TriangleMesh WithNoise(const PlausibleSurface& truth, double strength) const;
+
+  /// The share of the edges of the sample that are folded.
+  double ShareOfFolds() const { return this->FoldsBefore; }
+  /// 0 if clean meshes have as many folds, 1 if only noise makes as many.
+  double FoldsAreNoise() const { return this->Folding; }
+
+private:
+  using Measures = std::vector<double>;
+
+  bool Add(const TriangleMesh& surface, Execution& execution);
+  bool MeasureProbes(const TriangleMesh& mesh, Measures& angles, Execution& execution) const;
+
+  const TrialSample& Sample;
+  Measures ProbesBefore; ///< M1 of the sample
+  Measures BendsBefore;  ///< M2 of the sample
+  double FoldsBefore = 0.0;
+  double Folding = 0.0;
+  std::vector<PlausibleSurface> Surfaces;
+  double LeastMisfit;
+  double LeastSum[2]; ///< per kind of noise
+};
+
+}
+
+#endif
