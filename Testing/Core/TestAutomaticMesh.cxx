@@ -91,14 +91,11 @@ TEST(AutomaticMesh, UnfoldsSlivers)
   {
     p[0] *= 12.0;
   }
-  for (const double level : { 0.5, 0.7 })
-  {
-    TriangleMesh mesh = Noisy(clean, level);
-    const double before = Measure(mesh, clean).MeanAngle;
-    EXPECT_GT(before, 70.0);
-    Automatic(mesh);
-    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.7 * before) << level;
-  }
+  TriangleMesh mesh = Noisy(clean, 0.5);
+  const double before = Measure(mesh, clean).MeanAngle;
+  EXPECT_GT(before, 70.0);
+  Automatic(mesh);
+  EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.7 * before);
 }
 
 // Steps of voxels look like strong noise, but they are not white.
