@@ -16,6 +16,10 @@ namespace
 
 constexpr double Degrees = 180.0 / 3.14159265358979323846;
 
+/// Noise in random directions along the surface, to that across: filters leave part of the former
+/// in the surface, where it is still.
+constexpr double AlongSurface = 0.9;
+
 /// The angle between unit vectors at this distance.
 double AngleAt(double distance) { return 2.0 * std::asin(std::min(1.0, 0.5 * distance)) * Degrees; }
 
@@ -134,7 +138,8 @@ Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind) co
       const Vec3 outwards = surface.Positions[v] - this->Sample.Middle;
       const Vec3 x = (outwards - outwards.dot(normal) * normal).stableNormalized();
       const Vec3 direction = source.Direction(key);
-      noise[v] = direction[2] * normal + direction[0] * x + direction[1] * normal.cross(x);
+      noise[v] =
+        direction[2] * normal + AlongSurface * (direction[0] * x + direction[1] * normal.cross(x));
     }
     noise[v] *= source.Amplitude(key);
   }

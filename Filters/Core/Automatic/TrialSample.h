@@ -49,7 +49,7 @@ public:
   /**
    * Gaussian displacements of deviation 1 for the vertices of a surface with the faces of the
    * sample. They depend on the place of a vertex in the order of distances from the middle alone,
-   * and turn with the surface.
+   * and turn with the surface. Those in random directions are 0.9 times as large along the surface.
    */
   Buffer<Vec3> Noise(const TriangleMesh& surface, TrialNoise kind) const;
 
