@@ -28,11 +28,6 @@ constexpr double FewFolds = 0.03;
 constexpr double ManyFolds = 0.05;
 /// Of fewer faces, many may meet at sharp edges.
 constexpr std::size_t LeastFaces = 500;
-
-double Ramp(double x, double from, double to)
-{
-  return std::clamp((x - from) / (to - from), 0.0, 1.0);
-}
 /// The search for the deviation of the noise: from 0 to these mean edge lengths, halved as often.
 constexpr double MostNoise = 2.0;
 constexpr int Bisections = 12;
@@ -40,6 +35,11 @@ constexpr int Bisections = 12;
 const std::vector<double> BendFractions = { 0.1, 0.25, 0.5, 0.75, 0.9 };
 constexpr std::size_t LowerQuartile = 1;
 constexpr std::size_t Middle = 2;
+
+double Ramp(double x, double from, double to)
+{
+  return std::clamp((x - from) / (to - from), 0.0, 1.0);
+}
 
 double Difference(const std::vector<double>& a, const std::vector<double>& b)
 {
