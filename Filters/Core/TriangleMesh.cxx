@@ -55,6 +55,24 @@ CompressedRows VertexStars(const TriangleMesh& mesh)
   return stars;
 }
 
+Buffer<Vec3> VertexAreaVectors(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution)
+{
+  Buffer<Vec3> sums(mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
+  execution.For(sums.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        for (const Index f : stars.Row(v))
+        {
+          sums[v] += mesh.DoubleAreaVector(f);
+        }
+      }
+    });
+  return sums;
+}
+
 void CollectSpokes(const TriangleMesh& mesh, Span<Index> star, Index centre,
   std::vector<Spoke>& spokes)
 {

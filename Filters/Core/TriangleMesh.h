@@ -46,6 +46,10 @@ inline bool HasCorner(const Triangle& t, Index v) { return t[0] == v || t[1] == 
 /// The faces of every vertex in ascending order, each once even if it repeats the vertex.
 CompressedRows VertexStars(const TriangleMesh& mesh);
 
+/// Sums of the double area vectors of the faces around every vertex, which are along its normal.
+Buffer<Vec3> VertexAreaVectors(const TriangleMesh& mesh, const CompressedRows& stars,
+  Execution& execution);
+
 /// A vertex at the other end of an edge, and how the faces of that edge pass it.
 struct Spoke
 {

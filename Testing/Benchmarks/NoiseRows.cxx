@@ -32,20 +32,14 @@ const std::vector<NoiseRow>& NoiseRows()
 TriangleMesh WithNoise(const TriangleMesh& clean, const NoiseRow& row)
 {
   Execution serial;
-  const double edgeLength = TakeEdgeCensus(clean, VertexStars(clean), serial).MeanEdgeLength;
+  const CompressedRows stars = VertexStars(clean);
+  const double edgeLength = TakeEdgeCensus(clean, stars, serial).MeanEdgeLength;
   NoiseParameters parameters;
   parameters.Kind = row.Kind;
   parameters.Deviation = row.Deviation * edgeLength;
   parameters.Fraction = ImpulsiveFraction;
   const NoiseSource noise(parameters, clean.NumberOfVertices());
-  Buffer<Vec3> normals(clean.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
-  for (std::size_t f = 0; f < clean.NumberOfFaces(); ++f)
-  {
-    for (const Index v : clean.Triangles[f])
-    {
-      normals[v] += clean.DoubleAreaVector(f);
-    }
-  }
+  const Buffer<Vec3> normals = VertexAreaVectors(clean, stars, serial);
   TriangleMesh mesh = clean;
   for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
   {

@@ -330,14 +330,8 @@ TriangleMesh Cube(int n)
 void AddNormalNoise(TriangleMesh& mesh, double relative, std::uint32_t seed)
 {
   const double sigma = relative * MeanEdgeLength(mesh);
-  Buffer<Vec3> normals(mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
-  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    for (const Index v : mesh.Triangles[f])
-    {
-      normals[v] += mesh.DoubleAreaVector(f);
-    }
-  }
+  Execution serial;
+  const Buffer<Vec3> normals = VertexAreaVectors(mesh, VertexStars(mesh), serial);
   PortableRandom random(seed);
   for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
   {

@@ -53,14 +53,7 @@ bool LooksImpulsive(const TriangleMesh& mesh, Execution& execution)
 double RemovedAlongNormals(const TriangleMesh& mesh, const Buffer<Vec3>& before,
   Execution& execution)
 {
-  Buffer<Vec3> normals(mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
-  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    for (const Index v : mesh.Triangles[f])
-    {
-      normals[v] += mesh.DoubleAreaVector(f);
-    }
-  }
+  const Buffer<Vec3> normals = VertexAreaVectors(mesh, VertexStars(mesh), execution);
   const double sum = OrderedSum(execution, normals.size(), 0.0,
     [&](std::size_t v)
     {

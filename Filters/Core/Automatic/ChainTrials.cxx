@@ -85,7 +85,7 @@ bool ChainTrials::AngleAfter(std::size_t candidate, const PlausibleSurface& trut
 bool ChainTrials::Try(const PlausibleSurface& truth, double strength, double limit, double weight,
   Measures& logarithms, Execution& execution)
 {
-  const TriangleMesh noisy = this->Surfaces.WithNoise(truth, strength);
+  const TriangleMesh noisy = this->Surfaces.WithNoise(truth, strength, execution);
   const double before = this->AngleTo(truth, noisy, this->Surfaces.ShareOfFolds(), execution);
   for (std::size_t k = 0; k < logarithms.size(); ++k)
   {
@@ -147,16 +147,16 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
   result.Error = std::exp(logarithms[result.Best] / weights);
   // The truth that fits best may be one that is not smooth. Then what is best for it is safer.
   const PlausibleSurface& witness = this->Surfaces.BestFitting();
-  const double angleBefore =
-    this->Sample.MeanAngle(FaceNormals(this->Surfaces.WithNoise(truths[0], strength), execution),
-      truths[0].Normals, execution);
+  const double angleBefore = this->Sample.MeanAngle(
+    FaceNormals(this->Surfaces.WithNoise(truths[0], strength, execution), execution),
+    truths[0].Normals, execution);
   const double doubt = (1.0 - this->Surfaces.FoldsAreNoise()) *
     std::clamp((StrongAngle - angleBefore) / (StrongAngle - WeakAngle), 0.0, 1.0);
   result.Certain = result.Error < LargestError;
   if (doubt > 0.0)
   {
     const double limit = LargestDoubtfulError * std::exp(-MisfitCost * doubt * witness.Misfit);
-    const TriangleMesh noisy = this->Surfaces.WithNoise(witness, strength);
+    const TriangleMesh noisy = this->Surfaces.WithNoise(witness, strength, execution);
     const double before = this->AngleTo(witness, noisy, this->Surfaces.ShareOfFolds(), execution);
     std::vector<double> errors(count, Infinite);
     for (std::size_t k = 0; k < count; ++k)

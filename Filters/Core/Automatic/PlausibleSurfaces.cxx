@@ -99,7 +99,7 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
     }
     PlausibleSurface truth;
     truth.Kind = kind;
-    const Buffer<Vec3> noise = this->Sample.Noise(surface, kind);
+    const Buffer<Vec3> noise = this->Sample.Noise(surface, kind, execution);
     double low = 0.0;
     double high = MostNoise * this->Sample.EdgeLength();
     TriangleMesh noisy;
@@ -171,9 +171,10 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
   return true;
 }
 
-TriangleMesh PlausibleSurfaces::WithNoise(const PlausibleSurface& truth, double strength) const
+TriangleMesh PlausibleSurfaces::WithNoise(const PlausibleSurface& truth, double strength,
+  Execution& execution) const
 {
-  return Displaced(truth.Surface, this->Sample.Noise(truth.Surface, truth.Kind),
+  return Displaced(truth.Surface, this->Sample.Noise(truth.Surface, truth.Kind, execution),
     strength * truth.Deviation);
 }
 

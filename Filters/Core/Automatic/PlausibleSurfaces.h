@@ -70,7 +70,8 @@ public:
   bool AnyFits() const;
 
   /// The surface with strength times the noise that was found for it.
-  TriangleMesh WithNoise(const PlausibleSurface& truth, double strength) const;
+  TriangleMesh WithNoise(const PlausibleSurface& truth, double strength,
+    Execution& execution) const;
 
   /// The share of the edges of the sample that are folded.
   double ShareOfFolds() const { return this->FoldsBefore; }

@@ -23,24 +23,6 @@ constexpr double AlongSurface = 0.9;
 /// The angle between unit vectors at this distance.
 double AngleAt(double distance) { return 2.0 * std::asin(std::min(1.0, 0.5 * distance)) * Degrees; }
 
-Buffer<Vec3> VertexNormals(const TriangleMesh& mesh)
-{
-  Buffer<Vec3> normals(mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0));
-  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    const Vec3 area = mesh.DoubleAreaVector(f);
-    for (const Index v : mesh.Triangles[f])
-    {
-      normals[v] += area;
-    }
-  }
-  for (Vec3& normal : normals)
-  {
-    normal = normal.stableNormalized();
-  }
-  return normals;
-}
-
 }
 
 Buffer<Vec3> FaceNormals(const TriangleMesh& mesh, Execution& execution)
@@ -63,9 +45,9 @@ TriangleMesh Displaced(const TriangleMesh& mesh, const Buffer<Vec3>& steps, doub
 TrialSample::TrialSample(const MeshSample& sample, Execution& execution)
   : Sample(sample)
 {
-  const CompressedRows stars = VertexStars(sample.Mesh);
-  this->MeanEdgeLength = TakeEdgeCensus(sample.Mesh, stars, execution).MeanEdgeLength;
-  this->Adjacent = EdgeAdjacentFaces(sample.Mesh, stars, execution);
+  this->Stars = VertexStars(sample.Mesh);
+  this->MeanEdgeLength = TakeEdgeCensus(sample.Mesh, this->Stars, execution).MeanEdgeLength;
+  this->Adjacent = EdgeAdjacentFaces(sample.Mesh, this->Stars, execution);
   for (std::size_t f = 0; f < sample.Inner.size(); ++f)
   {
     if (sample.Inner[f])
@@ -122,9 +104,10 @@ double TrialSample::FoldedShare(const Buffer<Vec3>& normals) const
   return double(folded) / std::max(1.0, double(pairs));
 }
 
-Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind) const
+Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind,
+  Execution& execution) const
 {
-  Buffer<Vec3> noise = VertexNormals(surface);
+  Buffer<Vec3> noise = VertexAreaVectors(surface, this->Stars, execution);
   NoiseParameters parameters;
   parameters.Deviation = 1.0;
   parameters.Seed = 1;
@@ -132,9 +115,10 @@ Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind) co
   for (std::size_t v = 0; v < noise.size(); ++v)
   {
     const Index key = this->Sample.Keys[v];
+    const Vec3 normal = noise[v].stableNormalized();
+    noise[v] = normal;
     if (kind == TrialNoise::RandomDirections)
     {
-      const Vec3 normal = noise[v];
       const Vec3 outwards = surface.Positions[v] - this->Sample.Middle;
       const Vec3 x = (outwards - outwards.dot(normal) * normal).stableNormalized();
       const Vec3 direction = source.Direction(key);

@@ -51,12 +51,13 @@ public:
    * sample. They depend on the place of a vertex in the order of distances from the middle alone,
    * and turn with the surface. Those in random directions are 0.9 times as large along the surface.
    */
-  Buffer<Vec3> Noise(const TriangleMesh& surface, TrialNoise kind) const;
+  Buffer<Vec3> Noise(const TriangleMesh& surface, TrialNoise kind, Execution& execution) const;
 
 private:
   const MeshSample& Sample;
   double MeanEdgeLength;
   Buffer<Index> Faces;
+  CompressedRows Stars;   ///< faces of vertices
   NeighborGraph Adjacent; ///< faces across edges
 };
 

@@ -29,20 +29,8 @@ CompressedRows VertexRings(const TriangleMesh& mesh, const CompressedRows& stars
 Buffer<Vec3> SmoothNormals(const TriangleMesh& mesh, const CompressedRows& stars,
   const CompressedRows& rings, int rounds, Execution& execution)
 {
-  Buffer<Vec3> normals(mesh.NumberOfVertices());
-  Buffer<Vec3> smoothed(mesh.NumberOfVertices());
-  execution.For(normals.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t v = begin; v < end; ++v)
-      {
-        normals[v] = Vec3::Zero();
-        for (const Index f : stars.Row(v))
-        {
-          normals[v] += mesh.DoubleAreaVector(f);
-        }
-      }
-    });
+  Buffer<Vec3> normals = VertexAreaVectors(mesh, stars, execution);
+  Buffer<Vec3> smoothed(normals.size());
   for (int round = 0; round < rounds; ++round)
   {
     execution.For(normals.size(),
