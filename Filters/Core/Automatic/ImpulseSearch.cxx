@@ -24,12 +24,8 @@ constexpr double Far[Rounds] = { 4.0, 3.0, 3.0, 2.5, 2.5 };
 constexpr double VeryFar = 8.0;
 /// Whatever is usual, in units.
 constexpr double LeastHeight = 0.05;
-/// Of impulsive noise: spikes among all, and those very far off among the spikes.
+/// Of impulsive noise: spikes among all.
 constexpr double LeastShare = 0.01;
-constexpr double LeastVeryFar = 0.15;
-/// Rows of features are clustered by more than that, impulses hardly: those that are missed are in
-/// rough places, and an impulse may let its neighbour look like one.
-constexpr double MostClustered = 1.4;
 
 class SpikeSearch
 {
@@ -67,7 +63,7 @@ public:
   bool HasHeavyTails() const
   {
     return this->Spikes > 0 && double(this->Spikes) >= LeastShare * double(this->Inside) &&
-      double(this->VeryFarSpikes) >= LeastVeryFar * double(this->Spikes);
+      double(this->VeryFarSpikes) >= this->Sites.LeastVeryFar * double(this->Spikes);
   }
 
   /// Whether spikes say nothing about what is beside them and next but one.
@@ -93,7 +89,7 @@ public:
     {
       const double expected = share * double(others[apart]);
       // Pairs are counted from both ends: the variance of the count is twice its expectation.
-      if (double(spikes[apart]) > MostClustered * expected + std::sqrt(2.0 * expected))
+      if (double(spikes[apart]) > this->Sites.MostClustered * expected + std::sqrt(2.0 * expected))
       {
         return false;
       }

@@ -40,6 +40,11 @@ struct SpikeSites
   CompressedRows Nearby;         ///< these and the next but one
   Buffer<unsigned char> Counted; ///< 0 for those that are never spikes
   double Unit = 0.0;             ///< a length: the mean edge length or the spacing
+  /// Spikes very far off among all, of which Gaussian noise has hardly any.
+  double LeastVeryFar = 0.15;
+  /// Rows of features are clustered by more than that, impulses hardly: those that are missed are
+  /// in rough places, and an impulse may let its neighbour look like one.
+  double MostClustered = 1.4;
   /// Scores of all, in which those that are marked have no part as neighbours.
   std::function<SpikeScores(const Buffer<unsigned char>& marks, Execution& execution)> Score;
 };
@@ -53,10 +58,11 @@ Buffer<unsigned char> FindSpikes(const SpikeSites& sites, Execution& execution);
  * look like spikes: twice above 3 times what is usual, twice above 2.5 times.
  *
  * Noise is impulsive if
- * - spikes are at least 1% of those that count, and 15% of them are above 8 times what is usual (of
- *   Gaussian noise, hardly any is);
+ * - spikes are at least 1% of those that count, and a share of LeastVeryFar of them is above 8
+ * times what is usual;
  * - and, in the second round, no more beside spikes are spikes than if they were chosen at random,
- *   but for a factor of 1.4 and a standard deviation of chance. The same for the next but one.
+ *   but for a factor of MostClustered and a standard deviation of chance. The same for the next but
+ *   one.
  *
  * If the execution asks to stop, what comes back is of no use.
  */

@@ -7,11 +7,10 @@
 #include "../Methods.h"
 #include "../Metrics.h"
 #include "../OneStage/VertexRings.h"
+#include "SpikeScores.h"
 #include "Spikes.h"
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 
 namespace SurfaceDenoising
@@ -23,8 +22,16 @@ namespace
 /// Steps towards the middle of the neighbours: spikes side by side wait for one another.
 constexpr int FillSteps = 20;
 constexpr int OuterIterations = 15;
+/// What this share of the others around a vertex misses less than, is usual.
+constexpr double UsualMiss = 0.75;
 /// How much farther vertices that were out of place must have moved than others would.
-constexpr double LeastGain = 3.0;
+constexpr double LeastFarther = 2.8;
+/// How much more faces of vertices that were out of place must have turned than others would.
+/// Errors are less from sqrt(2) on, if what is made up is wrong by as much as the trial says.
+constexpr double LeastGain = 2.0;
+/// Enough for the fraction of a length to have nothing to do with that of the next, few enough for
+/// rounding errors not to matter.
+constexpr double Digits = 1e4;
 
 /// Vertices that do not move are marked with 1, the others become the means of their neighbours.
 void FillIn(Buffer<Vec3>& positions, const CompressedRows& rings,
@@ -89,18 +96,31 @@ bool MakeUp(TriangleMesh& mesh, const CompressedRows& stars, const CompressedRow
   return true;
 }
 
-/// A number at random that belongs to the place and to nothing else.
-std::uint64_t Lot(const Vec3& position)
+/// Numbers at random, in [0, 1), that belong to the places: they stay the same if the mesh is
+/// turned, moved, scaled or numbered anew.
+Buffer<double> Lots(const TriangleMesh& mesh, const CompressedRows& rings, const EdgeCensus& edges,
+  Execution& execution)
 {
-  std::uint64_t lot = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &position[k], sizeof(bits));
-    lot = (lot ^ bits) * 0x9E3779B97F4A7C15u;
-    lot ^= lot >> 29;
-  }
-  return lot;
+  const std::size_t count = mesh.NumberOfVertices();
+  const Vec3 sum = OrderedSum(execution, count, Vec3(0.0, 0.0, 0.0),
+    [&](std::size_t v) -> const Vec3& { return mesh.Positions[v]; });
+  const Vec3 middle = sum / double(count);
+  Buffer<double> lots(count);
+  execution.For(count,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        double length = (mesh.Positions[v] - middle).norm();
+        for (const Index w : rings.Row(v))
+        {
+          length += (mesh.Positions[w] - mesh.Positions[v]).norm();
+        }
+        const double digits = Digits * length / edges.MeanEdgeLength;
+        lots[v] = digits - std::floor(digits);
+      }
+    });
+  return lots;
 }
 
 /// Marks fixed vertices within two rings of those that are not, no two beside one another, with 0
@@ -111,6 +131,7 @@ Buffer<unsigned char> ChooseControls(const TriangleMesh& mesh, const CompressedR
   const std::size_t count = mesh.NumberOfVertices();
   Buffer<unsigned char> beside(count);
   Buffer<unsigned char> others(count);
+  const Buffer<double> lots = Lots(mesh, rings, edges, execution);
   execution.For(count,
     [&](std::size_t begin, std::size_t end)
     {
@@ -126,21 +147,20 @@ Buffer<unsigned char> ChooseControls(const TriangleMesh& mesh, const CompressedR
       for (std::size_t v = begin; v < end; ++v)
       {
         const Span<Index> ring = rings.Row(v);
-        const std::uint64_t lot = Lot(mesh.Positions[v]);
         const bool near = std::any_of(ring.begin(), ring.end(), [&](Index w) { return beside[w]; });
         const bool lost = std::any_of(ring.begin(), ring.end(),
-          [&](Index w) { return fixed[w] && Lot(mesh.Positions[w]) >= lot; });
+          [&](Index w) { return fixed[w] && lots[w] >= lots[v]; });
         others[v] = fixed[v] && !edges.BoundaryVertex[v] && near && !lost ? 0 : 1;
       }
     });
   return others;
 }
 
-/// How far the vertices that are not fixed have moved along their normals: what 90% stay below.
-double Moved(const TriangleMesh& mesh, const CompressedRows& stars, const Buffer<Vec3>& before,
-  const Buffer<unsigned char>& fixed)
+/// How far the vertices that are not fixed have moved along their normals; 0 for the others.
+Buffer<double> Moved(const TriangleMesh& mesh, const CompressedRows& stars,
+  const Buffer<Vec3>& before, const Buffer<unsigned char>& fixed)
 {
-  Buffer<double> heights;
+  Buffer<double> heights(fixed.size(), 0.0);
   for (std::size_t v = 0; v < fixed.size(); ++v)
   {
     if (!fixed[v])
@@ -150,10 +170,85 @@ double Moved(const TriangleMesh& mesh, const CompressedRows& stars, const Buffer
       {
         normal += mesh.DoubleAreaVector(f);
       }
-      heights.push_back(std::abs(normal.stableNormalized().dot(mesh.Positions[v] - before[v])));
+      heights[v] = std::abs(normal.stableNormalized().dot(mesh.Positions[v] - before[v]));
     }
   }
-  return heights.empty() ? std::numeric_limits<double>::infinity() : Percentile(heights, 0.9);
+  return heights;
+}
+
+/// Mean angle by which the faces of vertices that are not fixed have turned, 0 without any.
+double Turned(const TriangleMesh& mesh, const Buffer<Vec3>& before,
+  const Buffer<unsigned char>& fixed)
+{
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    const Triangle& t = mesh.Triangles[f];
+    if (!fixed[t[0]] || !fixed[t[1]] || !fixed[t[2]])
+    {
+      const Vec3 old = (before[t[1]] - before[t[0]]).cross(before[t[2]] - before[t[0]]);
+      const double angle = AngleBetween(mesh.DoubleAreaVector(f), old);
+      if (std::isfinite(angle))
+      {
+        sum += angle;
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? sum / double(count) : 0.0;
+}
+
+/// What 90% of the heights of vertices that are not fixed stay below, 0 without any.
+double LargeHeight(const Buffer<double>& heights, const Buffer<unsigned char>& fixed)
+{
+  Buffer<double> values;
+  for (std::size_t v = 0; v < fixed.size(); ++v)
+  {
+    if (!fixed[v])
+    {
+      values.push_back(heights[v]);
+    }
+  }
+  return values.empty() ? 0.0 : Percentile(values, 0.9);
+}
+
+/// What is made up for a vertex is better than where it is only if the vertex moves farther than
+/// others around it would, although these are in place. Fixes those that do not, returns the rest.
+std::size_t KeepOutstanding(Buffer<unsigned char>& fixed, const Buffer<double>& moved,
+  const Buffer<unsigned char>& others, const Buffer<double>& missed, const CompressedRows& rings,
+  const CompressedRows& nearby, Execution& execution)
+{
+  execution.For(
+    fixed.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::vector<Index> around;
+      Buffer<double> heights;
+      for (std::size_t v = begin; v < end; ++v)
+      {
+        if (fixed[v])
+        {
+          continue;
+        }
+        around.clear();
+        for (const Index w : nearby.Row(v))
+        {
+          const Span<Index> ring = rings.Row(w);
+          std::copy_if(ring.begin(), ring.end(), std::back_inserter(around),
+            [&](Index u) { return !others[u]; });
+        }
+        std::sort(around.begin(), around.end());
+        around.erase(std::unique(around.begin(), around.end()), around.end());
+        heights.clear();
+        std::transform(around.begin(), around.end(), std::back_inserter(heights),
+          [&](Index u) { return missed[u]; });
+        const bool far = !heights.empty() && moved[v] > Percentile(heights, UsualMiss);
+        fixed[v] = far ? 0 : 1;
+      }
+    },
+    256);
+  return std::size_t(std::count(fixed.begin(), fixed.end(), 0));
 }
 
 }
@@ -173,25 +268,39 @@ bool RepairSpikes(TriangleMesh& mesh, const CompressedRows& stars, const EdgeCen
   {
     return execution.Proceed(1.0);
   }
-  std::size_t spikes = 0;
   for (unsigned char& mark : fixed)
   {
-    spikes += mark;
     mark = mark ? 0 : 1;
   }
   const CompressedRows rings = VertexRings(mesh, stars, execution);
+  const CompressedRows nearby = VerticesNearby(rings, execution);
   const Buffer<Vec3> input = mesh.Positions;
-  if (!MakeUp(mesh, stars, rings, edges, fixed, execution, 0.0, 0.5))
+  std::size_t spikes = 0;
+  bool far = false;
+  bool turned = false;
+  for (const double done : { 0.0, 0.5 })
   {
-    return false;
+    mesh.Positions = input;
+    if (!MakeUp(mesh, stars, rings, edges, fixed, execution, done, done + 0.25))
+    {
+      return false;
+    }
+    TriangleMesh trial = mesh;
+    const Buffer<unsigned char> others = ChooseControls(mesh, rings, edges, fixed, execution);
+    if (!MakeUp(trial, stars, rings, edges, others, execution, done + 0.25, done + 0.5))
+    {
+      return false;
+    }
+    const Buffer<double> moved = Moved(mesh, stars, input, fixed);
+    const Buffer<double> missed = Moved(trial, stars, mesh.Positions, others);
+    far = far || LargeHeight(moved, fixed) > LeastFarther * LargeHeight(missed, others);
+    turned = Turned(mesh, input, fixed) > LeastGain * Turned(trial, mesh.Positions, others);
+    if (done == 0.0)
+    {
+      spikes = KeepOutstanding(fixed, moved, others, missed, rings, nearby, execution);
+    }
   }
-  TriangleMesh trial = mesh;
-  const Buffer<unsigned char> others = ChooseControls(mesh, rings, edges, fixed, execution);
-  if (!MakeUp(trial, stars, rings, edges, others, execution, 0.5, 1.0))
-  {
-    return false;
-  }
-  if (Moved(mesh, stars, input, fixed) > LeastGain * Moved(trial, stars, mesh.Positions, others))
+  if (far && turned)
   {
     repaired = spikes;
   }
