@@ -51,13 +51,13 @@ TriangleMesh Smoothed(TriangleMesh mesh, int times)
 }
 
 /// A coarse torus with bumps in all directions, a few edges wide.
-TriangleMesh RoughTorus()
+TriangleMesh RoughTorus(double height = 0.025)
 {
   TriangleMesh mesh = Torus(26);
   for (Vec3& p : mesh.Positions)
   {
     p *=
-      1.0 + 0.025 * (std::sin(13.0 * p[0] + 1.0) + std::sin(12.0 * p[1]) + std::sin(14.0 * p[2]));
+      1.0 + height * (std::sin(13.0 * p[0] + 1.0) + std::sin(12.0 * p[1]) + std::sin(14.0 * p[2]));
   }
   return mesh;
 }
@@ -150,6 +150,27 @@ TEST(SpikeRepair, FindsImpulsesOnRoughShapes)
   }
 }
 
+// Details hide many impulses, and some of them look like one. Most of what moves was out of place.
+TEST(SpikeRepair, FindsImpulsesAmongDetails)
+{
+  const TriangleMesh clean = RoughTorus(0.04);
+  for (const double share : { 0.1, 0.2 })
+  {
+    const TriangleMesh noisy = WithImpulses(clean, share, false);
+    TriangleMesh mesh = noisy;
+    const std::size_t repaired = Repair(mesh);
+    std::size_t inPlace = 0;
+    for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
+    {
+      inPlace +=
+        mesh.Positions[v] != noisy.Positions[v] && noisy.Positions[v] == clean.Positions[v];
+    }
+    EXPECT_GT(repaired, 0.15 * share * double(mesh.NumberOfVertices()));
+    EXPECT_LT(inPlace, 0.4 * double(repaired)) << share;
+    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.8 * Measure(noisy, clean).MeanAngle) << share;
+  }
+}
+
 // Steps of voxels are made up worse than the impulses have left them.
 TEST(SpikeRepair, IsUndoneWhereItWouldMissMore)
 {
@@ -191,6 +212,22 @@ TEST(SpikeRepair, OrderAndThreadsDoNotMatter)
   for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
   {
     EXPECT_LT((shuffled.Mesh.Positions[shuffled.Vertices[v]] - mesh.Positions[v]).norm(), 1e-9);
+  }
+}
+
+TEST(SpikeRepair, PlaceAndSizeDoNotMatter)
+{
+  TriangleMesh mesh = WithImpulses(RoughTorus(), 0.2, true);
+  TriangleMesh other = mesh;
+  const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(2.0, 1.0, -1.0).normalized()).toRotationMatrix();
+  const auto place = [&](const Vec3& p) { return Vec3(4.0 * (turn * p) + Vec3(5.0, -3.0, 2.0)); };
+  std::transform(mesh.Positions.begin(), mesh.Positions.end(), other.Positions.begin(), place);
+  const std::size_t repaired = Repair(mesh);
+  EXPECT_GT(repaired, 0u);
+  EXPECT_EQ(Repair(other), repaired);
+  for (std::size_t v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    EXPECT_LT((other.Positions[v] - place(mesh.Positions[v])).norm(), 1e-7) << v;
   }
 }
 

@@ -26,6 +26,10 @@ constexpr std::size_t TrialFaces = 24000;
 constexpr std::size_t LargeMesh = 200000;
 constexpr std::size_t TrialFacesOfLarge = 8000;
 
+/// Impulses that were missed are still there and no noise that can be added again in a trial: the
+/// expected error must be below this if any were repaired.
+constexpr double LargestErrorAfterRepair = 0.45;
+
 std::string Describe(const SurfaceNoise& noise)
 {
   char text[128];
@@ -47,6 +51,18 @@ bool LooksImpulsive(const TriangleMesh& mesh, Execution& execution)
   const CompressedRows stars = VertexStars(sample.Mesh);
   Buffer<unsigned char> marks;
   return FindImpulses(sample.Mesh, stars, marks, execution);
+}
+
+/// Leaves what was repaired as it is, if a chain is not certain to be better.
+void DoubtAfterRepair(AutomaticPlan& plan)
+{
+  if (plan.ExpectedError > LargestErrorAfterRepair && !plan.Steps.empty())
+  {
+    plan.Steps.clear();
+    plan.Methods.clear();
+    plan.ExpectedError = 1.0;
+    plan.Reason = Describe(plan.Noise) + ", which may be what is left of impulses: nothing to do";
+  }
 }
 
 /// Root mean square of the displacements along the area-weighted normals of the result.
@@ -129,6 +145,10 @@ bool DenoiseAutomatically(TriangleMesh& mesh, const AutomaticSettings& settings,
     {
       return false;
     }
+  }
+  if (report.RepairedVertices > 0)
+  {
+    DoubtAfterRepair(report.Plan);
   }
   const MeshFacts facts = prepared.Facts();
   if (!report.Plan.Steps.empty())

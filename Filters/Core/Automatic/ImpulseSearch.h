@@ -42,9 +42,6 @@ struct SpikeSites
   double Unit = 0.0;             ///< a length: the mean edge length or the spacing
   /// Spikes very far off among all, of which Gaussian noise has hardly any.
   double LeastVeryFar = 0.15;
-  /// Rows of features are clustered by more than that, impulses hardly: those that are missed are
-  /// in rough places, and an impulse may let its neighbour look like one.
-  double MostClustered = 1.4;
   /// Scores of all, in which those that are marked have no part as neighbours.
   std::function<SpikeScores(const Buffer<unsigned char>& marks, Execution& execution)> Score;
 };
@@ -61,7 +58,7 @@ Buffer<unsigned char> FindSpikes(const SpikeSites& sites, Execution& execution);
  * - spikes are at least 1% of those that count, and a share of LeastVeryFar of them is above 8
  * times what is usual;
  * - and, in the second round, no more beside spikes are spikes than if they were chosen at random,
- *   but for a factor of MostClustered and a standard deviation of chance. The same for the next but
+ *   but for a factor of 1.4 and a standard deviation of chance. The same for the next but
  *   one.
  *
  * If the execution asks to stop, what comes back is of no use.

@@ -25,7 +25,7 @@ constexpr int OuterIterations = 15;
 /// What this share of the others around a vertex misses less than, is usual.
 constexpr double UsualMiss = 0.75;
 /// How much farther vertices that were out of place must have moved than others would.
-constexpr double LeastFarther = 2.8;
+constexpr double LeastFarther = 3.0;
 /// How much more faces of vertices that were out of place must have turned than others would.
 /// Errors are less from sqrt(2) on, if what is made up is wrong by as much as the trial says.
 constexpr double LeastGain = 2.0;

@@ -25,7 +25,7 @@ namespace SurfaceDenoising
  * than the upper quartile of the others within three rings of them are taken for details and stay.
  * Then all is done once more with the rest. Nothing is changed at all unless
  *
- * - spikes move 2.8 times as far along the normals as the others do (90% quantiles), with or
+ * - spikes move 3 times as far along the normals as the others do (90% quantiles), with or
  *   without those that were taken for details,
  * - and the faces of the rest turn twice as much as those of the others (means).
  *

@@ -12,10 +12,9 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// Details of a coarse mesh hide many impulses and cluster what is seen of them. Looser limits than
-/// those of ImpulseSearch.h find more of them, and RepairSpikes sorts out what is none.
+/// Details of a coarse mesh hide many impulses, so that fewer than usual are very far off.
+/// RepairSpikes sorts out Gaussian noise that comes as far.
 constexpr double LeastVeryFar = 0.11;
-constexpr double MostClustered = 1.8;
 
 /// Returns false if the execution asked to stop. The mesh and the stars must outlive the sites.
 bool FindSites(const TriangleMesh& mesh, const CompressedRows& stars, const EdgeCensus& edges,
@@ -23,7 +22,6 @@ bool FindSites(const TriangleMesh& mesh, const CompressedRows& stars, const Edge
 {
   sites.Unit = edges.MeanEdgeLength;
   sites.LeastVeryFar = LeastVeryFar;
-  sites.MostClustered = MostClustered;
   sites.Counted.resize(mesh.NumberOfVertices());
   for (std::size_t v = 0; v < sites.Counted.size(); ++v)
   {

@@ -19,9 +19,9 @@ namespace SurfaceDenoising
 Buffer<unsigned char> FindSpikes(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution);
 
-/// Likewise FindImpulses: true if the mesh may have impulsive noise, and then marks the vertices
-/// that it would have moved. The limits are 11% very far off, and clusters of 1.8: some features
-/// pass, see RepairSpikes. If the execution asks to stop, what comes back is of no use.
+/// Likewise FindImpulses, with a share of 11% very far off: true if the mesh may have impulsive
+/// noise, and then marks the vertices that it would have moved. RepairSpikes says whether it is
+/// likely. If the execution asks to stop, what comes back is of no use.
 bool FindImpulses(const TriangleMesh& mesh, const CompressedRows& stars,
   Buffer<unsigned char>& marks, Execution& execution);
 
