@@ -233,7 +233,7 @@ TEST(SpikeRepair, PlaceAndSizeDoNotMatter)
 
 TEST(SpikeRepair, StopsAtEveryQuestion)
 {
-  const TriangleMesh noisy = WithImpulses(Torus(20), 0.2, true);
+  const TriangleMesh noisy = WithImpulses(Torus(14), 0.2, true);
   int questions = 0;
   for (bool finished = false; !finished; ++questions)
   {
