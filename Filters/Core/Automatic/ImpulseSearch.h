@@ -56,10 +56,9 @@ Buffer<unsigned char> FindSpikes(const SpikeSites& sites, Execution& execution);
  *
  * Noise is impulsive if
  * - spikes are at least 1% of those that count, and a share of LeastVeryFar of them is above 8
- * times what is usual;
+ *   times what is usual;
  * - and, in the second round, no more beside spikes are spikes than if they were chosen at random,
- *   but for a factor of 1.4 and a standard deviation of chance. The same for the next but
- *   one.
+ *   but for a factor of 1.4 and a standard deviation of chance. The same for the next but one.
  *
  * If the execution asks to stop, what comes back is of no use.
  */

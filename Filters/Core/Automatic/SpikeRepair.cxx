@@ -158,19 +158,15 @@ Buffer<unsigned char> ChooseControls(const TriangleMesh& mesh, const CompressedR
 
 /// How far the vertices that are not fixed have moved along their normals; 0 for the others.
 Buffer<double> Moved(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<Vec3>& before, const Buffer<unsigned char>& fixed)
+  const Buffer<Vec3>& before, const Buffer<unsigned char>& fixed, Execution& execution)
 {
+  const Buffer<Vec3> normals = VertexAreaVectors(mesh, stars, execution);
   Buffer<double> heights(fixed.size(), 0.0);
   for (std::size_t v = 0; v < fixed.size(); ++v)
   {
     if (!fixed[v])
     {
-      Vec3 normal(0.0, 0.0, 0.0);
-      for (const Index f : stars.Row(v))
-      {
-        normal += mesh.DoubleAreaVector(f);
-      }
-      heights[v] = std::abs(normal.stableNormalized().dot(mesh.Positions[v] - before[v]));
+      heights[v] = std::abs(normals[v].stableNormalized().dot(mesh.Positions[v] - before[v]));
     }
   }
   return heights;
@@ -291,8 +287,8 @@ bool RepairSpikes(TriangleMesh& mesh, const CompressedRows& stars, const EdgeCen
     {
       return false;
     }
-    const Buffer<double> moved = Moved(mesh, stars, input, fixed);
-    const Buffer<double> missed = Moved(trial, stars, mesh.Positions, others);
+    const Buffer<double> moved = Moved(mesh, stars, input, fixed, execution);
+    const Buffer<double> missed = Moved(trial, stars, mesh.Positions, others, execution);
     far = far || LargeHeight(moved, fixed) > LeastFarther * LargeHeight(missed, others);
     turned = Turned(mesh, input, fixed) > LeastGain * Turned(trial, mesh.Positions, others);
     if (done == 0.0)
