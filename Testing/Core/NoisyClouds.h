@@ -42,6 +42,37 @@ static inline SurfaceCloud SphereCloud(int count)
   return cloud;
 }
 
+/// Points in rows along the big circle of a torus with radii 1 and 0.5, rows ratio times as far
+/// apart as the points of a row. Noise of nearest points is not that of the surface: they lie in a
+/// row.
+static inline SurfaceCloud TorusInRows(int count, double ratio)
+{
+  using SurfaceDenoising::Vec3;
+  constexpr double turn = 2.0 * 3.14159265358979323846;
+  SurfaceCloud cloud;
+  cloud.Spacing = std::sqrt(0.5 * turn * turn / count);
+  const double apart = cloud.Spacing * std::sqrt(ratio);
+  const int rows = static_cast<int>(std::lround(0.5 * turn / apart));
+  for (int row = 0; row < rows; ++row)
+  {
+    const double tube = turn * (row + 0.3) / rows;
+    const double radius = 1.0 + 0.5 * std::cos(tube);
+    const int length = static_cast<int>(std::lround(turn * radius * ratio / apart));
+    for (int k = 0; k < length; ++k)
+    {
+      // Rows start anywhere.
+      const double angle = turn * (k + std::fmod(0.618 * row, 1.0)) / length;
+      const Vec3 normal(std::cos(tube) * std::cos(angle), std::cos(tube) * std::sin(angle),
+        std::sin(tube));
+      cloud.Positions.push_back(Vec3(std::cos(angle), std::sin(angle), 0.0) + 0.5 * normal);
+      cloud.Normals.push_back(normal);
+    }
+  }
+  cloud.DistanceOf = [](const Vec3& p)
+  { return std::hypot(std::hypot(p[0], p[1]) - 1.0, p[2]) - 0.5; };
+  return cloud;
+}
+
 /// n x n points in the middle of cells on every face of [-1, 1]^3.
 static inline SurfaceCloud CubeCloud(int n)
 {

@@ -81,6 +81,20 @@ TEST(AutomaticCloud, NearTheBestMethodWhateverTheSurface)
   }
 }
 
+/// Rows ten times as far apart as their points: what is nearest is a row.
+TEST(AutomaticCloud, DenoisesPointsInRows)
+{
+  const SurfaceCloud clean = TorusInRows(1500, 10.0);
+  PointCloud cloud = Noisy(clean, 0.3);
+  const double before = MeanDistance(clean, cloud.Positions);
+  const AutomaticCloudReport report = Denoise(cloud);
+  EXPECT_LT(MeanDistance(clean, cloud.Positions), 0.4 * before) << report.Choice.Reason;
+
+  cloud.Positions = clean.Positions;
+  Denoise(cloud);
+  EXPECT_LT(MeanDistance(clean, cloud.Positions), 0.005);
+}
+
 /// Plain moving least squares round edges off, the more so the stronger the noise.
 TEST(AutomaticCloud, TwiceAsNearToEdgesAsMovingLeastSquares)
 {

@@ -76,6 +76,37 @@ TEST(CloudNoise, KnownNoiseOnAWedge) { ExpectRatios(WedgeCloud(45, 30), 0.9, 1.1
 
 TEST(CloudNoise, KnownNoiseOnWaves) { ExpectRatios(WavyCloud(3000), 0.8, 1.16); }
 
+/// The nearest points of a point lie on a curve, in the plane of which noise does not show.
+TEST(CloudNoise, KnownNoiseOfPointsInRows)
+{
+  for (const double ratio : { 5.0, 10.0 })
+  {
+    const SurfaceCloud torus = TorusInRows(2000, ratio);
+    for (const double level : { 0.1, 0.35, 0.7 })
+    {
+      const CloudNoise noise = Estimate(Noisy(torus, level, 1));
+      EXPECT_GT(noise.Widening, 1u) << level;
+      EXPECT_NEAR(noise.Deviation / (level * torus.Spacing), 0.95, 0.15) << level;
+    }
+    EXPECT_LT(Estimate(torus.Positions).Level(), 0.01);
+  }
+  EXPECT_EQ(Estimate(Noisy(TorusInRows(2000, 1.0), 0.2, 1)).Widening, 1u);
+}
+
+/// Rows on both sides of a thin plate: fits that reach beyond a row take the sides for noise.
+TEST(CloudNoise, SidesOfAThinPlateAreNoNoise)
+{
+  Buffer<Vec3> plate;
+  for (int row = 0; row < 20; ++row)
+  {
+    for (int k = 0; k < 300; ++k)
+    {
+      plate.push_back(Vec3(0.1 * (k / 2), 1.4 * row, k % 2 == 0 ? 0.0 : 0.3));
+    }
+  }
+  EXPECT_LT(Estimate(plate).Level(), 1e-3);
+}
+
 TEST(CloudNoise, NoNoiseOnCleanSurfaces)
 {
   EXPECT_LT(Estimate(SphereCloud(3000).Positions).Level(), 1e-3);

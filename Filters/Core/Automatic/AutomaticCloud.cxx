@@ -102,6 +102,54 @@ const std::vector<Candidate>& Candidates()
   return candidates;
 }
 
+/// More neighbours than any method needs: what is far away only rounds off.
+constexpr int MostNeighbors = 200;
+
+void Widen(int& count, std::size_t widening)
+{
+  count = std::max(count, std::min(MostNeighbors, count * static_cast<int>(widening)));
+}
+
+/// Neighbourhoods of so many times as many points.
+PointDenoisingSettings Widened(PointDenoisingSettings settings, std::size_t widening)
+{
+  const double before = settings.Neighborhood.Count;
+  Widen(settings.Neighborhood.Count, widening);
+  Widen(settings.Normals.NumberOfNeighbors, widening);
+  if (auto* stages = std::get_if<TwoStageSettings>(&settings.Operator))
+  {
+    const double scale = std::sqrt(settings.Neighborhood.Count / before);
+    stages->Normals.SpatialScale *= scale;
+    stages->Points.SpatialScale *= scale;
+  }
+  return settings;
+}
+
+/// What to try at this noise level, see AutomaticCloud.h.
+std::vector<Candidate> CandidatesFor(double level, std::size_t widening,
+  const AutomaticSettings& asked)
+{
+  std::vector<Candidate> found;
+  for (const Candidate& candidate : Candidates())
+  {
+    if (level < candidate.From || level > candidate.To || !asked.Considers(candidate.Type))
+    {
+      continue;
+    }
+    // Normals come from a patch of surface in any case, what follows may do with fewer points.
+    found.push_back(candidate);
+    Widen(found.back().Settings.Normals.NumberOfNeighbors, widening);
+    // Of those that are wide already, several would become the same.
+    if (widening > 1 &&
+      candidate.Settings.Neighborhood.Count * static_cast<int>(widening) < 2 * MostNeighbors)
+    {
+      found.push_back(candidate);
+      found.back().Settings = Widened(candidate.Settings, widening);
+    }
+  }
+  return found;
+}
+
 /// Parts of the cloud that all candidates are tried on, and those that the best are.
 constexpr std::size_t RoughParts = 3;
 constexpr std::size_t FineParts = 10;
@@ -141,37 +189,34 @@ void PullOutliers(PointCloud& cloud, const Buffer<Index>& outliers, const PointC
 
 }
 
-CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double deviation,
+CloudChoice ChooseForCloud(const Buffer<Vec3>& points, const CloudNoise& noise, double strength,
   SurfaceType type, Execution& execution)
 {
   const AutomaticSettings asked(1.0, type);
   CloudChoice choice;
-  const double level = spacing > 0.0 ? deviation / spacing : 0.0;
+  const double deviation = strength * noise.Deviation;
+  const double level = strength * noise.Level();
   if (!(level > CloudNoise::LeastLevel))
   {
     choice.Reason = "There is no noise.";
     return choice;
   }
-  const CloudRisk rough(points, spacing, deviation, RoughParts, execution);
+  const CloudRisk rough(points, noise, deviation, RoughParts, execution);
   if (!rough.IsMeaningful())
   {
     choice.Reason = "There are too few points to tell noise from shape.";
     return choice;
   }
-  std::vector<const Candidate*> left;
+  const std::vector<Candidate> left = CandidatesFor(level, noise.Widening, asked);
   std::vector<double> risks;
-  for (const Candidate& candidate : Candidates())
+  for (const Candidate& candidate : left)
   {
-    if (level >= candidate.From && level <= candidate.To && asked.Considers(candidate.Type))
-    {
-      left.push_back(&candidate);
-      risks.push_back(rough.Of(candidate.Settings, execution));
-    }
+    risks.push_back(rough.Of(candidate.Settings, execution));
   }
   // What is far behind on a small sample need not be tried on a larger one.
   const double limit = 0.1 + 1.3 * std::max(0.0, *std::min_element(risks.begin(), risks.end()));
   const bool known = rough.NumberOfPoints() == points.size();
-  const CloudRisk fine(points, spacing, deviation, known ? 1 : FineParts, execution);
+  const CloudRisk fine(points, noise, deviation, known ? 1 : FineParts, execution);
   const char* kind = "";
   double least = 1.0; // leaving the points alone
   for (std::size_t k = 0; k < left.size() && execution.Proceed(0.0); ++k)
@@ -179,16 +224,16 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double de
     double risk = risks[k];
     if (!known)
     {
-      risk = risk < limit ? fine.Of(left[k]->Settings, execution) : 1.0;
+      risk = risk < limit ? fine.Of(left[k].Settings, execution) : 1.0;
     }
     // Risks are not that exact: of those nearly alike the first, gentlest one.
     if (risk < 0.97 * least - 0.0005)
     {
       least = risk;
-      kind = left[k]->Kind;
+      kind = left[k].Kind;
       choice.Nothing = false;
-      choice.Method = left[k]->Method;
-      choice.Settings = left[k]->Settings;
+      choice.Method = left[k].Method;
+      choice.Settings = left[k].Settings;
     }
   }
   choice.Remaining = std::sqrt(std::max(0.0, least));
@@ -239,8 +284,7 @@ bool DenoiseAutomatically(PointCloud& cloud, const AutomaticSettings& asked,
   clean.Positions = Gather(cloud.Positions, kept);
   clean.Normals = cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, kept);
   ProgressShare choosing(execution, 0.1, 0.1);
-  report.Choice = ChooseForCloud(clean.Positions, report.Noise.Spacing,
-    strength * report.Noise.Deviation, asked.Type, choosing);
+  report.Choice = ChooseForCloud(clean.Positions, report.Noise, strength, asked.Type, choosing);
   if (!choosing.Proceed(0.0))
   {
     return false;

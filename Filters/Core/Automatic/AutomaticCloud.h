@@ -11,6 +11,8 @@
  *    neighbours to a smooth one of many, are tried on samples of the cloud: all on 2400 points,
  *    those that are not far behind on 8000. The one with the least estimated risk (CloudRisk.h) is
  *    chosen, or none if none is better than leaving the points alone.
+ *    Points in rows (CloudNoise.h) take w times as many neighbours, up to 200, for normals, and are
+ *    tried with as many more for everything else, too: twice as many candidates.
  * 3. It runs on all points but the outliers, which so have no say in the fits of their neighbours.
  * 4. Outliers up to ten spacings from the surface of the nearest denoised points (SurfaceStep.h) go
  *    there. Those that are farther away stay where they are, marked as kept: they are no part of
@@ -42,11 +44,11 @@ struct CloudChoice
 };
 
 /**
- * What to do with points (all finite) that have noise of this deviation, a length; spacing is that
- * of CloudNoise. Depends neither on the order of the points nor on the number of threads. If the
- * execution asks to stop, the choice is of no use.
+ * What to do with points (all finite) that have this noise, times the strength. Depends neither on
+ * the order of the points nor on the number of threads. If the execution asks to stop, the choice
+ * is of no use.
  */
-CloudChoice ChooseForCloud(const Buffer<Vec3>& points, double spacing, double deviation,
+CloudChoice ChooseForCloud(const Buffer<Vec3>& points, const CloudNoise& noise, double strength,
   SurfaceType type, Execution& execution);
 
 struct AutomaticCloudReport

@@ -4,15 +4,13 @@
 #include "Automatic/CloudNoise.h"
 
 #include "Automatic/CloudImpulses.h"
+#include "Automatic/LocalFits.h"
 #include "InterruptedExecution.h"
 #include "Metrics.h"
-#include "Points/PlaneFit.h"
 #include "Points/PointNeighbors.h"
 #include "Points/PointRuns.h"
 #include "RobustScale.h"
 #include "SpatialOrder.h"
-
-#include <Eigen/Cholesky>
 
 #include <cmath>
 
@@ -22,128 +20,10 @@ namespace SurfaceDenoising
 namespace
 {
 
-constexpr std::size_t FewNeighbors = 9;
-constexpr std::size_t SomeNeighbors = 20;
-constexpr std::size_t ManyNeighbors = 40;
-constexpr std::size_t Coefficients = 6;
-
-/// The lesser over the larger variance in the plane, at least; 1/4 on the edge of a surface.
-constexpr double LeastWidth = 0.15;
-
-struct QuadricResidual
-{
-  double Deviation = -1.0; ///< of the points of the fit; negative without a fit
-  double Height = 0.0;     ///< of the origin over the polynomial
-};
-
-/// The polynomial over the plane of these points, which are relative to the origin.
-QuadricResidual FitQuadric(const Vec3* points, std::size_t count)
-{
-  QuadricResidual result;
-  PlaneSum sum;
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    sum.Add(points[k]);
-  }
-  const Plane plane = sum.FitAxes();
-  // Of points along a curve, the second direction is that of the noise.
-  if (plane.Normal.isZero(0.0) || !(plane.Variances[1] > LeastWidth * plane.Variances[2]))
-  {
-    return result;
-  }
-  const double unit = 1.0 / std::sqrt(plane.Variances[2]);
-  const Vec3 u = (plane.Along - plane.Normal.dot(plane.Along) * plane.Normal).normalized() * unit;
-  const Vec3 v = plane.Normal.cross(u);
-  using Vector = Eigen::Matrix<double, 6, 1>;
-  using Matrix = Eigen::Matrix<double, 6, 6>;
-  auto basis = [&](const Vec3& p)
-  {
-    const double x = u.dot(p - plane.Centre);
-    const double y = v.dot(p - plane.Centre);
-    Vector terms;
-    terms << 1.0, x, y, x * x, x * y, y * y;
-    return terms;
-  };
-  Matrix a = Matrix::Zero();
-  Vector b = Vector::Zero();
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const Vector terms = basis(points[k]);
-    a.noalias() += terms * terms.transpose();
-    b += plane.HeightOf(points[k]) * terms;
-  }
-  // Points on a conic section leave a coefficient open: any will do.
-  a.diagonal().array() += 1e-10 * static_cast<double>(count);
-  const Vector solution = a.ldlt().solve(b);
-  double squares = 0.0;
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const double r = plane.HeightOf(points[k]) - solution.dot(basis(points[k]));
-    squares += r * r;
-  }
-  result.Deviation = std::sqrt(squares / static_cast<double>(count - Coefficients));
-  const Vec3 origin(0.0, 0.0, 0.0);
-  result.Height = plane.HeightOf(origin) - solution.dot(basis(origin));
-  return result;
-}
-
-/// What fits around every point tell.
-struct LocalFits
-{
-  Buffer<double> Few;     ///< deviations; negative without a fit
-  Buffer<double> Some;    ///< the same
-  Buffer<double> Many;    ///< the same
-  Buffer<double> Heights; ///< of points over the fit of the others, absolute; negative without one
-};
-
-LocalFits FitEverywhere(const Buffer<Vec3>& points, const NeighborGraph& nearest,
-  const Buffer<unsigned char>& leftOut, bool heights, Execution& execution)
-{
-  LocalFits fits;
-  fits.Few.resize(points.size());
-  fits.Some.resize(points.size());
-  fits.Many.resize(points.size());
-  fits.Heights.resize(heights ? points.size() : 0);
-  execution.For(
-    points.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      std::vector<Vec3> around;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        around.assign(1, Vec3(0.0, 0.0, 0.0));
-        for (const Index j : nearest.Row(i))
-        {
-          if (leftOut.empty() || leftOut[j] == 0)
-          {
-            around.push_back(points[j] - points[i]);
-          }
-        }
-        const bool out = !leftOut.empty() && leftOut[i] != 0;
-        auto deviation = [&](std::size_t count)
-        {
-          return out || around.size() < FewNeighbors + 1
-            ? -1.0
-            : FitQuadric(around.data(), std::min(around.size(), count + 1)).Deviation;
-        };
-        fits.Few[i] = deviation(FewNeighbors);
-        fits.Some[i] = deviation(SomeNeighbors);
-        fits.Many[i] = deviation(ManyNeighbors);
-        if (heights)
-        {
-          const std::size_t others = std::min(around.size() - 1, SomeNeighbors);
-          fits.Heights[i] = -1.0;
-          if (others >= FewNeighbors)
-          {
-            const QuadricResidual fit = FitQuadric(around.data() + 1, others);
-            fits.Heights[i] = fit.Deviation < 0.0 ? -1.0 : std::abs(fit.Height);
-          }
-        }
-      }
-    },
-    256);
-  return fits;
-}
+constexpr std::size_t FewNeighbors = LocalFits::FewNeighbors;
+constexpr std::size_t SomeNeighbors = LocalFits::SomeNeighbors;
+constexpr std::size_t ManyNeighbors = LocalFits::ManyNeighbors;
+constexpr std::size_t Coefficients = LocalFits::Coefficients;
 
 /// The deviation of normally distributed residuals of which this share is below what is found; the
 /// deviate is that quantile of a normal variable.
@@ -168,11 +48,13 @@ double ReadLower(const Buffer<double>& deviations, std::size_t neighbors, double
   return *place / std::pow(1.0 - third + deviate * std::sqrt(third), 1.5);
 }
 
-double DeviationOf(const LocalFits& fits, double spacing)
+double DeviationOf(const LocalFits& fits, double spacingOfPoints)
 {
-  const double few = ReadLower(fits.Few, FewNeighbors, 0.1, -1.2815515655446004);
-  const double some = ReadLower(fits.Some, SomeNeighbors, 0.2, -0.8416212335729143);
-  const double many = ReadLower(fits.Many, ManyNeighbors, 0.2, -0.8416212335729143);
+  const double spacing = spacingOfPoints * std::sqrt(static_cast<double>(fits.Widening));
+  const std::size_t w = fits.Widening;
+  const double few = ReadLower(fits.Few, w * FewNeighbors, 0.1, -1.2815515655446004);
+  const double some = ReadLower(fits.Some, w * SomeNeighbors, 0.2, -0.8416212335729143);
+  const double many = ReadLower(fits.Many, w * ManyNeighbors, 0.2, -0.8416212335729143);
   // Squares of what is shape grow with a power of the number of points, those of noise do not.
   // Three sizes tell the power: 2 on rough surfaces, 3 and more on smooth ones.
   constexpr double small = FewNeighbors + 1;
@@ -197,6 +79,16 @@ double DeviationOf(const LocalFits& fits, double spacing)
   const double notWeak = blend(middling * (1.0 + 0.06 * ramp(some / spacing, 0.4, 0.6)),
     1.08 * many, ramp(some / spacing, 0.6, 0.75));
   return blend(weak, notWeak, ramp(few / spacing, 0.25, 0.6));
+}
+
+/// The deviation from these fits, or from wide ones where they follow curves.
+void Measure(const Buffer<Vec3>& points, const Buffer<unsigned char>& leftOut,
+  const LocalFits& fits, CloudNoise& noise, Execution& execution)
+{
+  LocalFits wide;
+  const bool isWide = !fits.AreOfSurface() && FitWidely(points, leftOut, wide, execution);
+  noise.Widening = isWide ? wide.Widening : 1;
+  noise.Deviation = DeviationOf(isWide ? wide : fits, noise.Spacing);
 }
 
 /// Marks outliers, see the header.
@@ -286,7 +178,7 @@ CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
   {
     return noise;
   }
-  noise.Deviation = DeviationOf(fits, noise.Spacing);
+  Measure(ordered, {}, fits, noise, interrupted);
   Buffer<unsigned char> outliers;
   FindOutliers(nearest, spacings, fits, noise, outliers);
   Buffer<unsigned char> impulses;
@@ -301,8 +193,8 @@ CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
   }
   if (noise.Far + noise.Off > 0 && interrupted.Proceed(0.0))
   {
-    noise.Deviation =
-      DeviationOf(FitEverywhere(ordered, nearest, outliers, false, interrupted), noise.Spacing);
+    Measure(ordered, outliers, FitEverywhere(ordered, nearest, outliers, false, interrupted), noise,
+      interrupted);
   }
   for (std::size_t k = 0; k < order.size(); ++k)
   {

@@ -22,9 +22,14 @@ std::size_t NormalNeighbors(double level)
   return static_cast<std::size_t>(std::clamp(80.0 * level, 20.0, 80.0));
 }
 
+constexpr std::size_t MostNormalNeighbors = 200;
+
 /// The points of a part, and those of them that have all their neighbours.
 constexpr std::size_t PartPoints = 800;
 constexpr std::size_t InnerPoints = 450;
+
+/// Of clouds whose methods take more neighbours, parts are so many times as large at most.
+constexpr std::size_t LargestParts = 2;
 
 Vec3 MeanOf(const Buffer<Vec3>& points, Execution& execution)
 {
@@ -33,9 +38,39 @@ Vec3 MeanOf(const Buffer<Vec3>& points, Execution& execution)
   return sum / static_cast<double>(std::max<std::size_t>(1, points.size()));
 }
 
-/// The numbers of the points by their distance from a place.
-Buffer<Index> RankByDistance(const Buffer<Vec3>& points, const Vec3& mean)
+/// 1 for points of the sample, 2 for those to be judged.
+Buffer<unsigned char> ChooseSample(const Buffer<Vec3>& points, const Buffer<Index>& ranked,
+  std::size_t asked, std::size_t widening)
 {
+  const std::size_t larger = std::min(widening, LargestParts);
+  const std::size_t parts =
+    std::max(std::min<std::size_t>(2, asked), (asked + larger - 1) / larger);
+  Buffer<unsigned char> chosen(points.size(), 2);
+  if (points.size() <= parts * larger * PartPoints)
+  {
+    return chosen;
+  }
+  std::fill(chosen.begin(), chosen.end(), static_cast<unsigned char>(0));
+  const KdTree tree(points);
+  std::vector<Index> found;
+  for (std::size_t part = 0; part < parts; ++part)
+  {
+    const Index centre = ranked[(2 * part + 1) * points.size() / (2 * parts)];
+    tree.Nearest(points[centre], larger * PartPoints, found);
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      unsigned char& mark = chosen[found[k]];
+      mark = std::max(mark, static_cast<unsigned char>(k < larger * InnerPoints ? 2 : 1));
+    }
+  }
+  return chosen;
+}
+
+}
+
+Buffer<Index> RankByDistance(const Buffer<Vec3>& points, Execution& execution)
+{
+  const Vec3 mean = MeanOf(points, execution);
   Buffer<double> distances(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -49,43 +84,16 @@ Buffer<Index> RankByDistance(const Buffer<Vec3>& points, const Vec3& mean)
   return ranked;
 }
 
-/// 1 for points of the sample, 2 for those to be judged.
-Buffer<unsigned char> ChooseSample(const Buffer<Vec3>& points, const Buffer<Index>& ranked,
-  std::size_t parts)
-{
-  Buffer<unsigned char> chosen(points.size(), 2);
-  if (points.size() <= parts * PartPoints)
-  {
-    return chosen;
-  }
-  std::fill(chosen.begin(), chosen.end(), static_cast<unsigned char>(0));
-  const KdTree tree(points);
-  std::vector<Index> found;
-  for (std::size_t part = 0; part < parts; ++part)
-  {
-    const Index centre = ranked[(2 * part + 1) * points.size() / (2 * parts)];
-    tree.Nearest(points[centre], PartPoints, found);
-    for (std::size_t k = 0; k < found.size(); ++k)
-    {
-      unsigned char& mark = chosen[found[k]];
-      mark = std::max(mark, static_cast<unsigned char>(k < InnerPoints ? 2 : 1));
-    }
-  }
-  return chosen;
-}
-
-}
-
-CloudRisk::CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, double spacing,
-  double deviation, std::size_t parts, Execution& execution)
+CloudRisk::CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals,
+  const CloudNoise& noise, double deviation, std::size_t parts, Execution& execution)
   : Deviation(deviation)
-  , Step(std::max(0.5 * deviation, 1e-4 * spacing))
+  , Step(std::max(0.5 * deviation, 1e-4 * noise.Spacing))
 {
   const Buffer<Index> order = FindPointOrder(points, {}, execution);
   const Buffer<Vec3> ordered = Gather(points, order);
   const Vec3 mean = MeanOf(ordered, execution);
-  const Buffer<Index> ranked = RankByDistance(ordered, mean);
-  const Buffer<unsigned char> chosen = ChooseSample(ordered, ranked, parts);
+  const Buffer<Index> ranked = RankByDistance(ordered, execution);
+  const Buffer<unsigned char> chosen = ChooseSample(ordered, ranked, parts, noise.Widening);
   Buffer<Index> numbers(ordered.size(), NoIndex);
   for (std::size_t i = 0; i < ordered.size(); ++i)
   {
@@ -99,7 +107,8 @@ CloudRisk::CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, do
       }
     }
   }
-  const std::size_t neighbors = NormalNeighbors(spacing > 0.0 ? deviation / spacing : 0.0);
+  const std::size_t neighbors = std::min(MostNormalNeighbors,
+    noise.Widening * NormalNeighbors(noise.Spacing > 0.0 ? deviation / noise.Spacing : 0.0));
   const NeighborGraph nearest = NearestPoints(this->Sample, neighbors, execution);
   this->Directions = PlaneFitNormals(this->Sample, nearest, neighbors, execution);
   // Signs that look random: bits of a hash of the rank.

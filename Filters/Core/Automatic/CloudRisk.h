@@ -25,28 +25,35 @@
 #ifndef SurfaceDenoising_CloudRisk_h
 #define SurfaceDenoising_CloudRisk_h
 
+#include "Automatic/CloudNoise.h"
 #include "Points/PointDenoising.h"
 
 namespace SurfaceDenoising
 {
+
+/// The numbers of the points by their distance from their mean, which does not depend on how they
+/// are turned.
+Buffer<Index> RankByDistance(const Buffer<Vec3>& points, Execution& execution);
 
 class CloudRisk
 {
 public:
   /**
    * Takes samples of the points: so many parts of 800, of which the inner 450 are judged, or all
-   * points if there are not more. They and the signs h_i follow from the distances of the
+   * points if there are not more; of clouds in rows (CloudNoise.h) half as many parts of twice the
+   * size. They and the signs h_i follow from the distances of the
    * points from their mean, so that they do not depend on how the cloud is turned. All points
-   * must be finite. spacing and deviation are lengths.
+   * must be finite. The deviation is a length; of the noise only the spacing and the widening
+   * count.
    */
-  CloudRisk(const Buffer<Vec3>& points, double spacing, double deviation, std::size_t parts,
-    Execution& execution)
-    : CloudRisk(points, {}, spacing, deviation, parts, execution)
+  CloudRisk(const Buffer<Vec3>& points, const CloudNoise& noise, double deviation,
+    std::size_t parts, Execution& execution)
+    : CloudRisk(points, {}, noise, deviation, parts, execution)
   {
   }
 
   /// The same with normals that methods may start from, one per point or none.
-  CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, double spacing,
+  CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, const CloudNoise& noise,
     double deviation, std::size_t parts, Execution& execution);
 
   /// False if there are so few points to judge that risks mean little.

@@ -89,7 +89,7 @@ bool TuneForCloud(const PointCloud& cloud, OpenSettings& open,
     const Buffer<Vec3> points = Gather(cloud.Positions, inliers);
     const Buffer<Vec3> normals =
       cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, inliers);
-    const CloudRisk rough(points, normals, noise.Spacing, noise.Deviation, TrialParts, execution);
+    const CloudRisk rough(points, normals, noise, noise.Deviation, TrialParts, execution);
     report.NoNoiseFound = !rough.IsMeaningful();
     if (!report.NoNoiseFound)
     {
@@ -99,7 +99,7 @@ bool TuneForCloud(const PointCloud& cloud, OpenSettings& open,
       {
         return false;
       }
-      const CloudRisk fine(points, normals, noise.Spacing, noise.Deviation, FineParts, execution);
+      const CloudRisk fine(points, normals, noise, noise.Deviation, FineParts, execution);
       CloudJudge second(fine, settings);
       ProgressShare confirming(execution, 0.7, 1.0);
       if (fine.NumberOfPoints() > rough.NumberOfPoints() &&
