@@ -92,6 +92,10 @@ const std::vector<Candidate>& Candidates()
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(80, 96, 3.0, 0.2, 3, 5) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.4, any, Composed(40, 96, 3.0, 0.2, 10, 10) },
       { planes, "sharp-edged", SurfaceType::Sharp, 0.5, any, RobustPlanes(100) },
+      { composer, "smooth", SurfaceType::Curved, 0.2, any, Composed(16, 96, 1.5, 1.0, 3, 5) },
+      { composer, "smooth", SurfaceType::Curved, 0.2, any, Composed(40, 48, 3.0, 1.0, 10, 10) },
+      { squares, "smooth", SurfaceType::Curved, 0.2, any, LeastSquares(100) },
+      { squares, "smooth", SurfaceType::Curved, 0.4, any, LeastSquares(200) },
     };
     for (Candidate& candidate : all)
     {

@@ -7,7 +7,7 @@
  * outliers.
  *
  * 1. EstimateNoise tells the noise level and the outliers.
- * 2. A dozen candidates and half as many more if the noise is strong, from a sharp filter of few
+ * 2. A dozen candidates and as many more if the noise is strong, from a sharp filter of few
  *    neighbours to a smooth one of many, are tried on samples of the cloud: all on 2400 points,
  *    those that are not far behind on 8000. The one with the least estimated risk (CloudRisk.h) is
  *    chosen, or none if none is better than leaving the points alone.
@@ -19,7 +19,8 @@
  *    this surface.
  *
  * Trying takes some seconds whatever the size: small clouds take many times as long as the chosen
- * method alone, a cloud of 200 thousand points two to four times as long, larger ones less.
+ * method alone, a cloud of 200 thousand points two to four times as long, larger ones less. Clouds
+ * in rows take several times as long: half a minute and more if the noise is strong.
  */
 
 #ifndef SurfaceDenoising_AutomaticCloud_h
