@@ -3,12 +3,12 @@
 
 #include "Automatic/CloudRisk.h"
 
+#include "Automatic/OutwardOrder.h"
 #include "KdTree.h"
 #include "SpatialOrder.h"
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -30,13 +30,6 @@ constexpr std::size_t InnerPoints = 450;
 
 /// Of clouds whose methods take more neighbours, parts are so many times as large at most.
 constexpr std::size_t LargestParts = 2;
-
-Vec3 MeanOf(const Buffer<Vec3>& points, Execution& execution)
-{
-  const Vec3 sum = OrderedSum(execution, points.size(), Vec3(0.0, 0.0, 0.0),
-    [&](std::size_t i) -> const Vec3& { return points[i]; });
-  return sum / static_cast<double>(std::max<std::size_t>(1, points.size()));
-}
 
 /// 1 for points of the sample, 2 for those to be judged.
 Buffer<unsigned char> ChooseSample(const Buffer<Vec3>& points, const Buffer<Index>& ranked,
@@ -68,22 +61,6 @@ Buffer<unsigned char> ChooseSample(const Buffer<Vec3>& points, const Buffer<Inde
 
 }
 
-Buffer<Index> RankByDistance(const Buffer<Vec3>& points, Execution& execution)
-{
-  const Vec3 mean = MeanOf(points, execution);
-  Buffer<double> distances(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    distances[i] = (points[i] - mean).squaredNorm();
-  }
-  Buffer<Index> ranked(points.size());
-  std::iota(ranked.begin(), ranked.end(), Index(0));
-  std::sort(ranked.begin(), ranked.end(),
-    [&](Index a, Index b)
-    { return distances[a] != distances[b] ? distances[a] < distances[b] : a < b; });
-  return ranked;
-}
-
 CloudRisk::CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals,
   const CloudNoise& noise, double deviation, std::size_t parts, Execution& execution)
   : Deviation(deviation)
@@ -92,7 +69,7 @@ CloudRisk::CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals,
   const Buffer<Index> order = FindPointOrder(points, {}, execution);
   const Buffer<Vec3> ordered = Gather(points, order);
   const Vec3 mean = MeanOf(ordered, execution);
-  const Buffer<Index> ranked = RankByDistance(ordered, execution);
+  const Buffer<Index> ranked = OutwardOrder(ordered, execution);
   const Buffer<unsigned char> chosen = ChooseSample(ordered, ranked, parts, noise.Widening);
   Buffer<Index> numbers(ordered.size(), NoIndex);
   for (std::size_t i = 0; i < ordered.size(); ++i)

@@ -31,20 +31,15 @@
 namespace SurfaceDenoising
 {
 
-/// The numbers of the points by their distance from their mean, which does not depend on how they
-/// are turned.
-Buffer<Index> RankByDistance(const Buffer<Vec3>& points, Execution& execution);
-
 class CloudRisk
 {
 public:
   /**
    * Takes samples of the points: so many parts of 800, of which the inner 450 are judged, or all
    * points if there are not more; of clouds in rows (CloudNoise.h) half as many parts of twice the
-   * size. They and the signs h_i follow from the distances of the
-   * points from their mean, so that they do not depend on how the cloud is turned. All points
-   * must be finite. The deviation is a length; of the noise only the spacing and the widening
-   * count.
+   * size. They and the signs h_i follow from the distances of the points from their mean, so that
+   * they do not depend on how the cloud is turned. All points must be finite. The deviation is a
+   * length; of the noise only the spacing and the widening count.
    */
   CloudRisk(const Buffer<Vec3>& points, const CloudNoise& noise, double deviation,
     std::size_t parts, Execution& execution)

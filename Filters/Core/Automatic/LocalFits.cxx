@@ -3,7 +3,7 @@
 
 #include "Automatic/LocalFits.h"
 
-#include "Automatic/CloudRisk.h"
+#include "Automatic/OutwardOrder.h"
 #include "KdTree.h"
 #include "Points/PlaneFit.h"
 
@@ -220,7 +220,7 @@ bool FitWidely(const Buffer<Vec3>& all, const Buffer<unsigned char>& leftOut, Lo
       points.push_back(all[i]);
     }
   }
-  const Buffer<Index> ranked = RankByDistance(points, execution);
+  const Buffer<Index> ranked = OutwardOrder(points, execution);
   const std::size_t count = std::min(points.size(), WidePoints);
   const KdTree tree(points);
   for (std::size_t widening = 2; widening <= LocalFits::MostWidening; widening *= 2)

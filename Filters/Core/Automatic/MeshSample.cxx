@@ -3,7 +3,7 @@
 
 #include "MeshSample.h"
 
-#include <numeric>
+#include "OutwardOrder.h"
 
 namespace SurfaceDenoising
 {
@@ -14,23 +14,6 @@ namespace
 constexpr std::size_t Patches = 6;
 /// Of the faces of a patch, those that count: a chain of filters sees some ten rings far.
 constexpr double InnerShare = 0.6;
-
-Vec3 MiddleOf(const TriangleMesh& mesh, Execution& execution)
-{
-  const Vec3 sum = OrderedSum(execution, mesh.NumberOfVertices(), Vec3(0.0, 0.0, 0.0),
-    [&](std::size_t v) { return mesh.Positions[v]; });
-  return sum / std::max<double>(1.0, double(mesh.NumberOfVertices()));
-}
-
-/// Numbers of elements by ascending key.
-Buffer<Index> OrderBy(const Buffer<double>& keys)
-{
-  Buffer<Index> order(keys.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  std::sort(order.begin(), order.end(),
-    [&](Index a, Index b) { return keys[a] < keys[b] || (keys[a] == keys[b] && a < b); });
-  return order;
-}
 
 /// The distances of all face centroids from a place, squared.
 Buffer<double> FaceDistances(const TriangleMesh& mesh, const Vec3& from, Execution& execution)
@@ -52,7 +35,7 @@ Buffer<double> FaceDistances(const TriangleMesh& mesh, const Vec3& from, Executi
 MeshSample TakeSample(const TriangleMesh& mesh, std::size_t faces, Execution& execution)
 {
   MeshSample sample;
-  const Vec3 middle = MiddleOf(mesh, execution);
+  const Vec3 middle = MeanOf(mesh.Positions, execution);
   sample.Middle = middle;
   Buffer<unsigned char> chosen(mesh.NumberOfFaces(), 1); // 0: not there, 1: inner, 2: near a rim
   if (mesh.NumberOfFaces() > faces)

@@ -7,6 +7,7 @@
 #include "../Methods.h"
 #include "../Metrics.h"
 #include "../OneStage/VertexRings.h"
+#include "OutwardOrder.h"
 #include "SpikeScores.h"
 #include "Spikes.h"
 
@@ -102,9 +103,7 @@ Buffer<double> Lots(const TriangleMesh& mesh, const CompressedRows& rings, const
   Execution& execution)
 {
   const std::size_t count = mesh.NumberOfVertices();
-  const Vec3 sum = OrderedSum(execution, count, Vec3(0.0, 0.0, 0.0),
-    [&](std::size_t v) -> const Vec3& { return mesh.Positions[v]; });
-  const Vec3 middle = sum / double(count);
+  const Vec3 middle = MeanOf(mesh.Positions, execution);
   Buffer<double> lots(count);
   execution.For(count,
     [&](std::size_t begin, std::size_t end)
