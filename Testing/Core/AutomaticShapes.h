@@ -50,6 +50,84 @@ inline SurfaceDenoising::TriangleMesh Torus(int n)
   return mesh;
 }
 
+/// The unit sphere: every side of an octahedron is cut into n x n triangles.
+inline SurfaceDenoising::TriangleMesh Ball(int n)
+{
+  using namespace SurfaceDenoising;
+  TriangleMesh mesh;
+  std::map<std::array<int, 3>, Index> places;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    const std::array<int, 3> signs = { octant & 1 ? -1 : 1, octant & 2 ? -1 : 1,
+      octant & 4 ? -1 : 1 };
+    auto at = [&](int i, int j)
+    {
+      const std::array<int, 3> p = { signs[0] * i, signs[1] * j, signs[2] * (n - i - j) };
+      const auto added = places.insert({ p, static_cast<Index>(mesh.Positions.size()) });
+      if (added.second)
+      {
+        mesh.Positions.push_back(Vec3(p[0], p[1], p[2]).normalized());
+      }
+      return added.first->second;
+    };
+    auto add = [&](Index a, Index b, Index c)
+    {
+      const bool mirrored = signs[0] * signs[1] * signs[2] < 0;
+      mesh.Triangles.push_back({ a, mirrored ? c : b, mirrored ? b : c });
+    };
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; i + j < n; ++j)
+      {
+        add(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < n)
+        {
+          add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+/// A wheel with teeth of two corners each: flat sides of long triangles. Its caps are fans.
+inline SurfaceDenoising::TriangleMesh Gear(int corners, int layers, double height)
+{
+  using namespace SurfaceDenoising;
+  TriangleMesh mesh;
+  for (int layer = 0; layer <= layers; ++layer)
+  {
+    for (int i = 0; i < corners; ++i)
+    {
+      const double angle = 2.0 * 3.14159265358979323846 * i / corners;
+      const double radius = i / 2 % 2 == 1 ? 1.0 : 0.7;
+      mesh.Positions.push_back(
+        Vec3(radius * std::cos(angle), radius * std::sin(angle), height * layer / layers));
+    }
+  }
+  auto at = [corners](int layer, int i) { return Index(layer * corners + i % corners); };
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int i = 0; i < corners; ++i)
+    {
+      mesh.Triangles.push_back({ at(layer, i), at(layer, i + 1), at(layer + 1, i + 1) });
+      mesh.Triangles.push_back({ at(layer, i), at(layer + 1, i + 1), at(layer + 1, i) });
+    }
+  }
+  for (const int layer : { 0, layers })
+  {
+    const Index middle = Index(mesh.Positions.size());
+    mesh.Positions.push_back(Vec3(0.0, 0.0, layer == 0 ? 0.0 : height));
+    for (int i = 0; i < corners; ++i)
+    {
+      const int next = layer == 0 ? i : i + 1;
+      const int last = layer == 0 ? i + 1 : i;
+      mesh.Triangles.push_back({ middle, at(layer, last), at(layer, next) });
+    }
+  }
+  return mesh;
+}
+
 /// The boundary of an ellipsoid of unit voxels, two triangles per side of a voxel.
 inline SurfaceDenoising::TriangleMesh Voxels(int radius)
 {

@@ -82,6 +82,38 @@ TEST(AutomaticMesh, WeakAndStrongNoise)
   }
 }
 
+// Faces of a coarse surface meet at angles as large as those that weak noise makes: it flattens as
+// many edges as it bends. And of few faces, chance makes much.
+TEST(AutomaticMesh, CoarseCurvedSurfaces)
+{
+  for (const int cuts : { 5, 6, 7, 8 })
+  {
+    const TriangleMesh clean = Ball(cuts);
+    TriangleMesh mesh = Noisy(clean, 0.05);
+    const double before = Measure(mesh, clean).MeanAngle;
+    Automatic(mesh);
+    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.4 * before) << cuts;
+  }
+  for (const int squares : { 11, 12, 13 })
+  {
+    const TriangleMesh clean = Torus(squares);
+    TriangleMesh mesh = Noisy(clean, 0.07);
+    const double before = Measure(mesh, clean).MeanAngle;
+    Automatic(mesh);
+    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.6 * before) << squares;
+  }
+}
+
+// A surface that has edges and weak noise is among those that a noisy mesh may have been.
+TEST(AutomaticMesh, SharpEdgesOfLongTriangles)
+{
+  const TriangleMesh clean = Gear(40, 2, 0.2);
+  TriangleMesh mesh = Noisy(clean, 0.05);
+  const double before = Measure(mesh, clean).MeanAngle;
+  Automatic(mesh);
+  EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.4 * before);
+}
+
 // Noise that is larger than triangles are high folds them over. Surfaces without noise have no
 // folds: what is there to judge by is how many of them a chain leaves.
 TEST(AutomaticMesh, UnfoldsSlivers)

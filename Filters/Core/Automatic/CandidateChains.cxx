@@ -109,7 +109,7 @@ const std::vector<CandidateChain>& CandidateChains()
   static const std::vector<CandidateChain> chains = {
     Chain(SurfaceType::Any, fine, { Bilateral(0.2, 5, 10) }),
     Chain(SurfaceType::Any, fine, { Bilateral(0.35, 5, 10) }, true),
-    Chain(SurfaceType::Any, mixed, { Bilateral(0.5, 10, 10) }),
+    Chain(SurfaceType::Any, mixed, { Bilateral(0.5, 10, 10) }, true),
     Chain(SurfaceType::Curved, organic, { Mean(2) }, true),
     Chain(SurfaceType::Curved, organic, { Mean(5) }),
     Chain(SurfaceType::Curved, organic, { CurvatureDiffusion() }, true),
@@ -120,7 +120,7 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 15) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 30) }, true),
     Chain(SurfaceType::Curved, organic, { Wide(10, 0.2), Diffusion(90.0, 3) }),
-    Chain(SurfaceType::Any, mixed, { Cosine() }),
+    Chain(SurfaceType::Any, mixed, { Cosine() }, true),
     Chain(SurfaceType::Any, mixed, { Wide(15, 0.05) }),
     Chain(SurfaceType::Any, mixed, { Wide(60, 0.2) }, true),
     Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }, true),

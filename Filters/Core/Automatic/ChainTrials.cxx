@@ -30,6 +30,8 @@ constexpr double LargestError = 0.9;
 constexpr double LargestDoubtfulError = 0.62;
 constexpr double LargestWitnessError = 0.7;
 constexpr double MisfitCost = 10.0;
+/// Misfit that chance makes with N faces, times the square root of N.
+constexpr double ChanceMisfit = 0.5;
 constexpr double WeakAngle = 20.0;
 constexpr double StrongAngle = 35.0;
 
@@ -155,7 +157,9 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
   result.Certain = result.Error < LargestError;
   if (doubt > 0.0)
   {
-    const double limit = LargestDoubtfulError * std::exp(-MisfitCost * doubt * witness.Misfit);
+    const double chance = ChanceMisfit / std::sqrt(double(this->Sample.Count()));
+    const double misfit = std::max(0.0, witness.Misfit - chance);
+    const double limit = LargestDoubtfulError * std::exp(-MisfitCost * doubt * misfit);
     const TriangleMesh noisy = this->Surfaces.WithNoise(witness, strength, execution);
     const double before = this->AngleTo(witness, noisy, this->Surfaces.ShareOfFolds(), execution);
     std::vector<double> errors(count, Infinite);

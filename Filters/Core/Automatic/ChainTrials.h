@@ -39,7 +39,8 @@ struct TrialResult
    * True if the error is certain to be less than that of the input. Detail that fits no truth can
    * be taken for weak noise, hardly for strong noise or if noise folds faces: with d from 1 if the
    * noise turns faces by 20 degrees on average to 0 if by 35, Error must be below 0.62 exp(-10 d
-   * misfit), or below 0.9 if d is 0.
+   * m), or below 0.9 if d is 0; m is the least misfit, less 0.5 / sqrt(number of faces), which
+   * chance may have made.
    */
   bool Certain = false;
 };

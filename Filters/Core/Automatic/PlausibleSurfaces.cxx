@@ -35,6 +35,9 @@ constexpr int Bisections = 12;
 const std::vector<double> BendFractions = { 0.1, 0.25, 0.5, 0.75, 0.9 };
 constexpr std::size_t LowerQuartile = 1;
 constexpr std::size_t Middle = 2;
+constexpr std::size_t UpperQuartile = 3;
+/// If the lower quartile is as much without noise, over what it should be, noise may lower it.
+constexpr double BentByShape = 0.8;
 
 double Ramp(double x, double from, double to)
 {
@@ -81,6 +84,23 @@ bool PlausibleSurfaces::MeasureProbes(const TriangleMesh& mesh, Measures& angles
   return true;
 }
 
+/// How much noise makes that quartile of the angles between adjacent faces what it was.
+double PlausibleSurfaces::DeviationFor(std::size_t quartile, const TriangleMesh& surface,
+  const Buffer<Vec3>& noise, Execution& execution) const
+{
+  double low = 0.0;
+  double high = MostNoise * this->Sample.EdgeLength();
+  double deviation = 0.0;
+  for (int step = 0; step < Bisections; ++step)
+  {
+    deviation = 0.5 * (low + high);
+    const Buffer<Vec3> normals = FaceNormals(Displaced(surface, noise, deviation), execution);
+    const double bend = this->Sample.Bends(normals, { BendFractions[quartile] })[0];
+    (bend < this->BendsBefore[quartile] ? low : high) = deviation;
+  }
+  return deviation;
+}
+
 /// Adds noise of each kind to a surface and puts it to the test.
 bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
 {
@@ -88,8 +108,14 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
   const Buffer<Vec3> right = FaceNormals(surface, execution);
   const double folds = this->Sample.FoldedShare(right) *
     (1.0 + MoreFoldCost * Ramp(this->FoldsBefore, 0.5 * FoldsOfStrongNoise, FoldsOfStrongNoise));
-  const double roughness = RoughnessCost * this->Sample.Bends(right, { BendFractions[Middle] })[0] /
-    (this->BendsBefore[Middle] + SofteningAngle);
+  const Measures bends = this->Sample.Bends(right, BendFractions);
+  const double roughness =
+    RoughnessCost * bends[Middle] / (this->BendsBefore[Middle] + SofteningAngle);
+  std::vector<std::size_t> quartiles(1, LowerQuartile);
+  if (bends[LowerQuartile] > BentByShape * this->BendsBefore[LowerQuartile])
+  {
+    quartiles.push_back(UpperQuartile);
+  }
   for (const TrialNoise kind : { TrialNoise::AlongNormals, TrialNoise::RandomDirections })
   {
     double& least = this->LeastSum[static_cast<int>(kind)];
@@ -100,26 +126,26 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
     PlausibleSurface truth;
     truth.Kind = kind;
     const Buffer<Vec3> noise = this->Sample.Noise(surface, kind, execution);
-    double low = 0.0;
-    double high = MostNoise * this->Sample.EdgeLength();
-    TriangleMesh noisy;
-    Buffer<Vec3> normals;
-    for (int step = 0; step < Bisections; ++step)
+    double leastDifference = Infinite;
+    for (const std::size_t quartile : quartiles)
     {
-      truth.Deviation = 0.5 * (low + high);
-      noisy = Displaced(surface, noise, truth.Deviation);
-      normals = FaceNormals(noisy, execution);
-      const double bend = this->Sample.Bends(normals, { BendFractions[LowerQuartile] })[0];
-      (bend < this->BendsBefore[LowerQuartile] ? low : high) = truth.Deviation;
+      const double deviation = this->DeviationFor(quartile, surface, noise, execution);
+      const Buffer<Vec3> normals = FaceNormals(Displaced(surface, noise, deviation), execution);
+      const double difference =
+        Difference(this->Sample.Bends(normals, BendFractions), this->BendsBefore);
+      if (difference < leastDifference)
+      {
+        leastDifference = difference;
+        truth.Deviation = deviation;
+      }
     }
+    const TriangleMesh noisy = Displaced(surface, noise, truth.Deviation);
     Measures probes;
     if (!this->MeasureProbes(noisy, probes, execution))
     {
       return false;
     }
-    const double misfit = 0.5 *
-      (Difference(probes, this->ProbesBefore) +
-        Difference(this->Sample.Bends(normals, BendFractions), this->BendsBefore));
+    const double misfit = 0.5 * (Difference(probes, this->ProbesBefore) + leastDifference);
     truth.Misfit = misfit + this->Folding * folds;
     truth.Sum = misfit + folds + roughness;
     this->LeastMisfit = std::min(this->LeastMisfit, misfit);
