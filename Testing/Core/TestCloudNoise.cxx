@@ -142,21 +142,25 @@ TEST(CloudNoise, FindsOutliersAndIsNotFooledByThem)
 
 TEST(CloudNoise, NeitherOrderNorThreadsNorPlacementMatter)
 {
-  const SurfaceCloud cube = CubeCloud(15);
-  const Buffer<Vec3> points = Noisy(cube, 0.3, 5);
-  const CloudNoise expected = Estimate(points);
-  OddThreads threads(3);
-  EXPECT_EQ(EstimateNoise(points, threads).Deviation, expected.Deviation);
-  EXPECT_EQ(Estimate(Buffer<Vec3>(points.rbegin(), points.rend())).Deviation, expected.Deviation);
-
-  const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
-  Buffer<Vec3> moved = points;
-  for (Vec3& p : moved)
+  for (const SurfaceCloud& clean : { CubeCloud(15), TorusInRows(1500, 10.0) })
   {
-    p = 1e4 * (turn * p) + Vec3(5e4, -3e4, 1e4);
+    const Buffer<Vec3> points = Noisy(clean, 0.3, 5);
+    const CloudNoise expected = Estimate(points);
+    OddThreads threads(3);
+    EXPECT_EQ(EstimateNoise(points, threads).Deviation, expected.Deviation);
+    EXPECT_EQ(Estimate(Buffer<Vec3>(points.rbegin(), points.rend())).Deviation, expected.Deviation);
+
+    const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+    Buffer<Vec3> moved = points;
+    for (Vec3& p : moved)
+    {
+      p = 1e4 * (turn * p) + Vec3(5e4, -3e4, 1e4);
+    }
+    const CloudNoise found = Estimate(moved);
+    EXPECT_EQ(found.Widening, expected.Widening);
+    EXPECT_NEAR(found.Deviation / 1e4, expected.Deviation, 1e-8);
+    EXPECT_NEAR(found.Level(), expected.Level(), 1e-8);
   }
-  EXPECT_NEAR(Estimate(moved).Deviation / 1e4, expected.Deviation, 1e-8);
-  EXPECT_NEAR(Estimate(moved).Level(), expected.Level(), 1e-8);
 }
 
 TEST(CloudNoise, OddInput)

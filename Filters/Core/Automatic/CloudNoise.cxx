@@ -20,11 +20,6 @@ namespace SurfaceDenoising
 namespace
 {
 
-constexpr std::size_t FewNeighbors = LocalFits::FewNeighbors;
-constexpr std::size_t SomeNeighbors = LocalFits::SomeNeighbors;
-constexpr std::size_t ManyNeighbors = LocalFits::ManyNeighbors;
-constexpr std::size_t Coefficients = LocalFits::Coefficients;
-
 /// The deviation of normally distributed residuals of which this share is below what is found; the
 /// deviate is that quantile of a normal variable.
 double ReadLower(const Buffer<double>& deviations, std::size_t neighbors, double share,
@@ -44,7 +39,7 @@ double ReadLower(const Buffer<double>& deviations, std::size_t neighbors, double
   }
   const auto place = found.begin() + static_cast<std::ptrdiff_t>(share * double(found.size()));
   std::nth_element(found.begin(), place, found.end());
-  const double third = 2.0 / (9.0 * static_cast<double>(neighbors + 1 - Coefficients));
+  const double third = 2.0 / (9.0 * static_cast<double>(neighbors + 1 - LocalFits::Coefficients));
   return *place / std::pow(1.0 - third + deviate * std::sqrt(third), 1.5);
 }
 
@@ -52,14 +47,14 @@ double DeviationOf(const LocalFits& fits, double spacingOfPoints)
 {
   const double spacing = spacingOfPoints * std::sqrt(static_cast<double>(fits.Widening));
   const std::size_t w = fits.Widening;
-  const double few = ReadLower(fits.Few, w * FewNeighbors, 0.1, -1.2815515655446004);
-  const double some = ReadLower(fits.Some, w * SomeNeighbors, 0.2, -0.8416212335729143);
-  const double many = ReadLower(fits.Many, w * ManyNeighbors, 0.2, -0.8416212335729143);
+  const double few = ReadLower(fits.Few, w * LocalFits::FewNeighbors, 0.1, -1.2815515655446004);
+  const double some = ReadLower(fits.Some, w * LocalFits::SomeNeighbors, 0.2, -0.8416212335729143);
+  const double many = ReadLower(fits.Many, w * LocalFits::ManyNeighbors, 0.2, -0.8416212335729143);
   // Squares of what is shape grow with a power of the number of points, those of noise do not.
   // Three sizes tell the power: 2 on rough surfaces, 3 and more on smooth ones.
-  constexpr double small = FewNeighbors + 1;
-  constexpr double medium = SomeNeighbors + 1;
-  constexpr double large = ManyNeighbors + 1;
+  constexpr double small = LocalFits::FewNeighbors + 1;
+  constexpr double medium = LocalFits::SomeNeighbors + 1;
+  constexpr double large = LocalFits::ManyNeighbors + 1;
   const double first = std::max(0.0, some * some - few * few);
   const double second = std::max(0.0, many * many - some * some);
   constexpr double ofSquares =
@@ -101,7 +96,7 @@ void FindOutliers(const NeighborGraph& nearest, const Buffer<double>& spacings,
     around.clear();
     for (const Index j : nearest.Row(i))
     {
-      if (values[j] >= 0.0 && around.size() < SomeNeighbors)
+      if (values[j] >= 0.0 && around.size() < LocalFits::SomeNeighbors)
       {
         around.push_back(values[j]);
       }
@@ -162,7 +157,8 @@ CloudNoise EstimateNoise(const Buffer<Vec3>& points, Execution& execution)
   }
   const Buffer<Vec3> ordered = Gather(points, order);
   InterruptedExecution interrupted(execution, 0.0);
-  const NeighborGraph nearest = NearestOrderedPoints(ordered, ManyNeighbors, interrupted);
+  const NeighborGraph nearest =
+    NearestOrderedPoints(ordered, LocalFits::ManyNeighbors, interrupted);
   if (!interrupted.Proceed(0.0))
   {
     return noise;
