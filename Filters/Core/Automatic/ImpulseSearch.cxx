@@ -24,6 +24,8 @@ constexpr double Far[Rounds] = { 4.0, 3.0, 3.0, 2.5, 2.5 };
 constexpr double VeryFar = 8.0;
 /// Whatever is usual, in units.
 constexpr double LeastHeight = 0.05;
+/// Of fewer, shares say nothing.
+constexpr std::size_t LeastNumber = 100;
 /// Of impulsive noise: spikes among all.
 constexpr double LeastShare = 0.01;
 /// Rows of features are clustered by more than that, impulses hardly: those that are missed are in
@@ -65,7 +67,8 @@ public:
 
   bool HasHeavyTails() const
   {
-    return this->Spikes > 0 && double(this->Spikes) >= LeastShare * double(this->Inside) &&
+    return this->Inside >= LeastNumber && this->Spikes > 0 &&
+      double(this->Spikes) >= LeastShare * double(this->Inside) &&
       double(this->VeryFarSpikes) >= this->Sites.LeastVeryFar * double(this->Spikes);
   }
 

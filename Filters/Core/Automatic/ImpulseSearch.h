@@ -54,11 +54,11 @@ Buffer<unsigned char> FindSpikes(const SpikeSites& sites, Execution& execution);
  * looked for again without those found before, which hide smaller ones and let what is beside them
  * look like spikes: twice above 3 times what is usual, twice above 2.5 times.
  *
- * Noise is impulsive if
+ * Noise is impulsive if at least 100 count and
  * - spikes are at least 1% of those that count, and a share of LeastVeryFar of them is above 8
  *   times what is usual;
- * - and, in the second round, no more beside spikes are spikes than if they were chosen at random,
- *   but for a factor of 1.4 and a standard deviation of chance. The same for the next but one.
+ * - in the second round, no more beside spikes are spikes than if they were chosen at random, but
+ *   for a factor of 1.4 and a standard deviation of chance. The same for the next but one.
  *
  * If the execution asks to stop, what comes back is of no use.
  */

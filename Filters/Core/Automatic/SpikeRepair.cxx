@@ -4,15 +4,15 @@
 #include "SpikeRepair.h"
 
 #include "../InterruptedExecution.h"
-#include "../Methods.h"
 #include "../Metrics.h"
 #include "../OneStage/VertexRings.h"
 #include "OutwardOrder.h"
+#include "ProgressShare.h"
 #include "SpikeScores.h"
 #include "Spikes.h"
+#include "VertexFilling.h"
 
 #include <cmath>
-#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -20,9 +20,6 @@ namespace SurfaceDenoising
 namespace
 {
 
-/// Steps towards the middle of the neighbours: spikes side by side wait for one another.
-constexpr int FillSteps = 20;
-constexpr int OuterIterations = 15;
 /// What this share of the others around a vertex misses less than, is usual.
 constexpr double UsualMiss = 0.75;
 /// How much farther vertices that were out of place must have moved than others would.
@@ -33,69 +30,6 @@ constexpr double LeastGain = 2.0;
 /// Enough for the fraction of a length to have nothing to do with that of the next, few enough for
 /// rounding errors not to matter.
 constexpr double Digits = 1e4;
-
-/// Vertices that do not move are marked with 1, the others become the means of their neighbours.
-void FillIn(Buffer<Vec3>& positions, const CompressedRows& rings,
-  const Buffer<unsigned char>& fixed, Execution& execution)
-{
-  Buffer<Vec3> moved = positions;
-  for (int step = 0; step < FillSteps; ++step)
-  {
-    execution.For(positions.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t v = begin; v < end; ++v)
-        {
-          if (!fixed[v] && rings.Row(v).size() > 0)
-          {
-            Vec3 sum(0.0, 0.0, 0.0);
-            for (const Index w : rings.Row(v))
-            {
-              sum += positions[w];
-            }
-            moved[v] = sum / double(rings.Row(v).size());
-          }
-        }
-      });
-    positions.swap(moved);
-  }
-}
-
-/// The settings that sort faces into sides, see CandidateChains.
-FaceFilterSettings WideSettings()
-{
-  FaceFilterSettings settings = SettingsOf(Method::TukeyBilateralNormal);
-  settings.NormScale = 1.0;
-  return settings;
-}
-
-/// Makes up positions for the vertices that are not fixed.
-bool MakeUp(TriangleMesh& mesh, const CompressedRows& stars, const CompressedRows& rings,
-  const EdgeCensus& edges, const Buffer<unsigned char>& fixed, Execution& execution, double first,
-  double last)
-{
-  FillIn(mesh.Positions, rings, fixed, execution);
-  const FaceFilterSettings settings = WideSettings();
-  FaceFilterReport report;
-  FaceFilter filter(mesh, stars, edges.BoundaryVertex, edges.MeanEdgeLength, settings, report);
-  // Vertices at boundaries stay where they are; here all that are fixed do.
-  const VertexUpdateSettings vertices;
-  VertexUpdate update(mesh, stars, fixed, edges.MeanEdgeLength, vertices);
-  Buffer<Vec3> normals;
-  for (int outer = 0; outer < OuterIterations; ++outer)
-  {
-    const double done = first + (last - first) * outer / OuterIterations;
-    const double next = first + (last - first) * (outer + 1) / OuterIterations;
-    normals.clear();
-    filter.Renew(normals, execution);
-    if (!filter.Run(normals, {}, execution, done, next) ||
-      !update.Run(mesh.Positions, normals, 2, execution, next, next))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
 /// Numbers at random, in [0, 1), that belong to the places: they stay the same if the mesh is
 /// turned, moved, scaled or numbered anew.
@@ -276,13 +210,15 @@ bool RepairSpikes(TriangleMesh& mesh, const CompressedRows& stars, const EdgeCen
   for (const double done : { 0.0, 0.5 })
   {
     mesh.Positions = input;
-    if (!MakeUp(mesh, stars, rings, edges, fixed, execution, done, done + 0.25))
+    ProgressShare first(execution, done, done + 0.25);
+    if (!FillVertices(mesh, stars, rings, edges, fixed, first))
     {
       return false;
     }
     TriangleMesh trial = mesh;
     const Buffer<unsigned char> others = ChooseControls(mesh, rings, edges, fixed, execution);
-    if (!MakeUp(trial, stars, rings, edges, others, execution, done + 0.25, done + 0.5))
+    ProgressShare second(execution, done + 0.25, done + 0.5);
+    if (!FillVertices(trial, stars, rings, edges, others, second))
     {
       return false;
     }
