@@ -83,12 +83,12 @@ Part Narrow()
 }
 
 CandidateChain Chain(SurfaceType type, const char* purpose, const std::vector<Part>& parts,
-  bool makesTruth = false)
+  TruthUse truth = TruthUse::Never)
 {
   CandidateChain chain;
   chain.Type = type;
   chain.Purpose = purpose;
-  chain.MakesTruth = makesTruth;
+  chain.Truth = truth;
   for (const Part& part : parts)
   {
     chain.Methods.push_back(part.Id);
@@ -108,25 +108,26 @@ const std::vector<CandidateChain>& CandidateChains()
   static const char* const strong = "flat sides with sharp edges under strong noise";
   static const std::vector<CandidateChain> chains = {
     Chain(SurfaceType::Any, fine, { Bilateral(0.2, 5, 10) }),
-    Chain(SurfaceType::Any, fine, { Bilateral(0.35, 5, 10) }, true),
-    Chain(SurfaceType::Any, mixed, { Bilateral(0.5, 10, 10) }, true),
-    Chain(SurfaceType::Curved, organic, { Mean(2) }, true),
+    Chain(SurfaceType::Any, fine, { Bilateral(0.35, 5, 10) }, TruthUse::Always),
+    Chain(SurfaceType::Any, mixed, { Bilateral(0.5, 10, 10) }, TruthUse::WithoutFolds),
+    Chain(SurfaceType::Curved, organic, { Mean(2) }, TruthUse::Always),
     Chain(SurfaceType::Curved, organic, { Mean(5) }),
-    Chain(SurfaceType::Curved, organic, { CurvatureDiffusion() }, true),
+    Chain(SurfaceType::Curved, organic, { CurvatureDiffusion() }, TruthUse::Always),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 1) }),
-    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 2) }, true),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 2) }, TruthUse::Always),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 3) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 5) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 15) }),
-    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 30) }, true),
+    Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 30) }, TruthUse::Always),
     Chain(SurfaceType::Curved, organic, { Wide(10, 0.2), Diffusion(90.0, 3) }),
-    Chain(SurfaceType::Any, mixed, { Cosine() }, true),
+    Chain(SurfaceType::Any, mixed, { Cosine() }, TruthUse::WithoutFolds),
     Chain(SurfaceType::Any, mixed, { Wide(15, 0.05) }),
-    Chain(SurfaceType::Any, mixed, { Wide(60, 0.2) }, true),
-    Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }, true),
+    Chain(SurfaceType::Any, mixed, { Wide(60, 0.2) }, TruthUse::Always),
+    Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }, TruthUse::Always),
     Chain(SurfaceType::Sharp, strong, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }),
     Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 1), Wide(15, 0.05), Narrow() }),
-    Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 2), Wide(30, 0.05), Narrow() }, true),
+    Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 2), Wide(30, 0.05), Narrow() },
+      TruthUse::Always),
   };
   return chains;
 }

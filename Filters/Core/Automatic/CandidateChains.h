@@ -16,11 +16,19 @@
 namespace SurfaceDenoising
 {
 
+/// Whether what a chain makes of a mesh serves as a truth, see PlausibleSurfaces.
+enum class TruthUse
+{
+  Never,
+  WithoutFolds, ///< not where noise folds faces over, which the chain leaves so
+  Always
+};
+
 struct CandidateChain
 {
   const char* Purpose; ///< what it is for, for people
   SurfaceType Type;
-  bool MakesTruth = false; ///< its results serve as truths, see PlausibleSurfaces
+  TruthUse Truth = TruthUse::Never;
   std::vector<Method> Methods;
   MethodChain Steps;
 };

@@ -157,6 +157,12 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
   return true;
 }
 
+bool PlausibleSurfaces::MakesTruth(const CandidateChain& chain) const
+{
+  return chain.Truth == TruthUse::Always ||
+    (chain.Truth == TruthUse::WithoutFolds && this->Folding < 0.5);
+}
+
 bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidates,
   Execution& execution)
 {
@@ -176,7 +182,7 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
   }
   for (std::size_t k = 0; k < candidates.size(); ++k)
   {
-    if (!candidates[k]->MakesTruth)
+    if (!this->MakesTruth(*candidates[k]))
     {
       continue;
     }
