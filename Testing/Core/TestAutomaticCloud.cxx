@@ -115,17 +115,13 @@ TEST(AutomaticCloud, TwiceAsNearToEdgesAsMovingLeastSquares)
     }
     return sum / count;
   };
-  for (const double noise : { 0.5, 1.0 })
-  {
-    PointCloud cloud = Noisy(clean, noise);
-    PointCloud rounded = cloud;
-    Denoise(cloud);
-    PointDenoisingReport report;
-    Execution serial;
-    ASSERT_TRUE(
-      DenoisePoints(rounded, SettingsOf(PointMethod::MovingLeastSquares), report, serial));
-    EXPECT_LT(nearEdges(cloud.Positions), 0.5 * nearEdges(rounded.Positions)) << noise;
-  }
+  PointCloud cloud = Noisy(clean, 1.0);
+  PointCloud rounded = cloud;
+  Denoise(cloud);
+  PointDenoisingReport report;
+  Execution serial;
+  ASSERT_TRUE(DenoisePoints(rounded, SettingsOf(PointMethod::MovingLeastSquares), report, serial));
+  EXPECT_LT(nearEdges(cloud.Positions), 0.5 * nearEdges(rounded.Positions));
 }
 
 TEST(AutomaticCloud, CleanCloudsStayAsTheyAre)

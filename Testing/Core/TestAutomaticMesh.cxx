@@ -170,7 +170,7 @@ TEST(AutomaticMesh, WithoutStrengthNothingMoves)
 
 TEST(AutomaticMesh, StrengthRemovesMore)
 {
-  const TriangleMesh noisy = Noisy(Torus(28), 0.1);
+  const TriangleMesh noisy = Noisy(Torus(20), 0.1);
   double last = 0.0;
   for (const double strength : { 0.3, 1.0, 3.0 })
   {
