@@ -26,6 +26,8 @@ constexpr double FoldsOfStrongNoise = 0.2;
 /// Shares of folded edges: clean meshes have hardly more; only noise makes as many.
 constexpr double FewFolds = 0.03;
 constexpr double ManyFolds = 0.05;
+/// From there on, of 1 if only noise makes as many folds, chains must unfold to make surfaces.
+constexpr double MustUnfold = 0.5;
 /// Of fewer faces, many may meet at sharp edges.
 constexpr std::size_t LeastFaces = 500;
 /// The search for the deviation of the noise: from 0 to these mean edge lengths, halved as often.
@@ -36,7 +38,8 @@ const std::vector<double> BendFractions = { 0.1, 0.25, 0.5, 0.75, 0.9 };
 constexpr std::size_t LowerQuartile = 1;
 constexpr std::size_t Middle = 2;
 constexpr std::size_t UpperQuartile = 3;
-/// If the lower quartile is as much without noise, over what it should be, noise may lower it.
+/// If the lower quartile without noise is above that share of what it should be, more noise may
+/// lower it, so that it does not tell how much there is.
 constexpr double BentByShape = 0.8;
 
 double Ramp(double x, double from, double to)
@@ -160,7 +163,7 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
 bool PlausibleSurfaces::MakesTruth(const CandidateChain& chain) const
 {
   return chain.Truth == TruthUse::Always ||
-    (chain.Truth == TruthUse::WithoutFolds && this->Folding < 0.5);
+    (chain.Truth == TruthUse::WithoutFolds && this->Folding < MustUnfold);
 }
 
 bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidates,
