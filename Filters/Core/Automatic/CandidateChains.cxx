@@ -63,6 +63,9 @@ Part Wide(int outer, double relaxation)
   return part;
 }
 
+/// Smooth normals, which the vertices follow for long: faces turn back that noise has folded over.
+Part Unfolding() { return Bilateral(1.0, 20, 20); }
+
 /// Flattens sides and rounds what is sharper than 50 degrees or so.
 Part Cosine()
 {
@@ -104,6 +107,7 @@ const std::vector<CandidateChain>& CandidateChains()
   static const char* const fine = "fine detail under weak noise";
   static const char* const organic = "curved surface";
   static const char* const mixed = "curved surface with edges";
+  static const char* const narrow = "narrow faces that noise has folded over";
   static const char* const sides = "flat sides with sharp edges";
   static const char* const strong = "flat sides with sharp edges under strong noise";
   static const std::vector<CandidateChain> chains = {
@@ -123,6 +127,10 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain(SurfaceType::Any, mixed, { Cosine() }, TruthUse::WithoutFolds),
     Chain(SurfaceType::Any, mixed, { Wide(15, 0.05) }),
     Chain(SurfaceType::Any, mixed, { Wide(60, 0.2) }, TruthUse::Always),
+    Chain(SurfaceType::Any, narrow, { Wide(10, 0.2), Unfolding() }, TruthUse::IfWhite),
+    Chain(SurfaceType::Any, narrow, { Wide(10, 0.2), Unfolding(), Wide(10, 0.2), Unfolding() },
+      TruthUse::IfWhite),
+    Chain(SurfaceType::Any, narrow, { Wide(10, 0.2), Unfolding(), Wide(15, 0.2), Narrow() }),
     Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }, TruthUse::Always),
     Chain(SurfaceType::Sharp, strong, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }),
     Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 1), Wide(15, 0.05), Narrow() }),

@@ -20,6 +20,7 @@ namespace SurfaceDenoising
 enum class TruthUse
 {
   Never,
+  IfWhite,      ///< not where what it removes is more than white noise
   WithoutFolds, ///< not where noise folds faces over, which the chain leaves so
   Always
 };

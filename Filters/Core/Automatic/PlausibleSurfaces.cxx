@@ -18,8 +18,11 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double LargestMisfit = 0.12;
 constexpr std::size_t FirstSurfaces = 8;
 /// The other kind of noise is not tried any more once the first are worse with it by that.
-constexpr double ClearGap = 0.04;
+constexpr double ClearGap = 0.06;
 constexpr double RoughnessCost = 0.05;
+constexpr double CorrelationCost = 0.05;
+/// What is more correlated is not nearly white.
+constexpr double LargestCorrelation = 0.05;
 /// Folds of a surface cost so much more if that share of the edges of the input is folded.
 constexpr double MoreFoldCost = 2.0;
 constexpr double FoldsOfStrongNoise = 0.2;
@@ -112,6 +115,8 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
   const double folds = this->Sample.FoldedShare(right) *
     (1.0 + MoreFoldCost * Ramp(this->FoldsBefore, 0.5 * FoldsOfStrongNoise, FoldsOfStrongNoise));
   const Measures bends = this->Sample.Bends(right, BendFractions);
+  const double colour =
+    CorrelationCost * std::max(0.0, this->Sample.ResidualCorrelation(surface, execution));
   const double roughness =
     RoughnessCost * bends[Middle] / (this->BendsBefore[Middle] + SofteningAngle);
   std::vector<std::size_t> quartiles(1, LowerQuartile);
@@ -119,10 +124,11 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
   {
     quartiles.push_back(UpperQuartile);
   }
+  const double limit = std::min(this->LeastSum[0], this->LeastSum[1]) + ClearGap;
   for (const TrialNoise kind : { TrialNoise::AlongNormals, TrialNoise::RandomDirections })
   {
     double& least = this->LeastSum[static_cast<int>(kind)];
-    if (!first && least > std::min(this->LeastSum[0], this->LeastSum[1]) + ClearGap)
+    if (!first && least > limit)
     {
       continue;
     }
@@ -150,7 +156,7 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
     }
     const double misfit = 0.5 * (Difference(probes, this->ProbesBefore) + leastDifference);
     truth.Misfit = misfit + this->Folding * folds;
-    truth.Sum = misfit + folds + roughness;
+    truth.Sum = misfit + folds + roughness + colour;
     this->LeastMisfit = std::min(this->LeastMisfit, misfit);
     least = std::min(least, truth.Sum);
     truth.Surface = surface;
@@ -162,8 +168,8 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
 
 bool PlausibleSurfaces::MakesTruth(const CandidateChain& chain) const
 {
-  return chain.Truth == TruthUse::Always ||
-    (chain.Truth == TruthUse::WithoutFolds && this->Folding < MustUnfold);
+  return chain.Truth == TruthUse::WithoutFolds ? this->Folding < MustUnfold
+                                               : chain.Truth != TruthUse::Never;
 }
 
 bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidates,
@@ -196,7 +202,16 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
     const double part = 1.0 / double(candidates.size());
     ProgressShare share(execution, double(k) * part, double(k + 1) * part);
     TriangleMesh surface = mesh;
-    if (!RunChain(surface, candidates[k]->Steps, share) || !this->Add(surface, share))
+    if (!RunChain(surface, candidates[k]->Steps, share))
+    {
+      return false;
+    }
+    if (candidates[k]->Truth == TruthUse::IfWhite &&
+      this->Sample.ResidualCorrelation(surface, share) > LargestCorrelation)
+    {
+      continue;
+    }
+    if (!this->Add(surface, share))
     {
       return false;
     }

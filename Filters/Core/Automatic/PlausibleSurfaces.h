@@ -19,6 +19,9 @@
  * M2 quantiles (10, 25, 50, 75, 90%) of the angles between adjacent faces. Noise that is left in T
  * is not told from shape by that, so that smooth T are preferred: to the misfit is added the share
  * of folded edges of T and 0.05 times the median angle between its adjacent faces over that of y.
+ * Nor is shape that T has lost told from noise; but noise is white, and lost shape is not: 0.05
+ * times the correlation of the residuals y - T of adjacent vertices is added too, if it is
+ * positive. What chains that smooth much make is no T at all if that correlation is above 0.05.
  *
  * Surfaces without noise have hardly any folded edges (adjacent faces turned by 120 degrees or
  * more). If 5% of those of y are, it is noise that folds them, and from 4% on chains that leave

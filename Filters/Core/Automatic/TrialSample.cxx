@@ -104,6 +104,31 @@ double TrialSample::FoldedShare(const Buffer<Vec3>& normals) const
   return double(folded) / std::max(1.0, double(pairs));
 }
 
+double TrialSample::ResidualCorrelation(const TriangleMesh& surface, Execution& execution) const
+{
+  const Buffer<Vec3> normals = VertexAreaVectors(surface, this->Stars, execution);
+  Buffer<double> residuals(normals.size());
+  for (std::size_t v = 0; v < residuals.size(); ++v)
+  {
+    const Vec3 step = this->Mesh().Positions[v] - surface.Positions[v];
+    residuals[v] = step.dot(normals[v].stableNormalized());
+  }
+  double products = 0.0;
+  double squares = 0.0;
+  for (const Index f : this->Faces)
+  {
+    const Triangle& t = surface.Triangles[f];
+    for (int k = 0; k < 3; ++k)
+    {
+      const double a = residuals[t[k]];
+      const double b = residuals[t[(k + 1) % 3]];
+      products += 2.0 * a * b;
+      squares += a * a + b * b;
+    }
+  }
+  return squares > 0.0 ? products / squares : 0.0;
+}
+
 Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind,
   Execution& execution) const
 {

@@ -47,6 +47,14 @@ public:
   double FoldedShare(const Buffer<Vec3>& normals) const;
 
   /**
+   * How alike the residuals r of adjacent vertices are: the sum of 2 r_i r_j over the edges of
+   * faces over that of r_i^2 + r_j^2, where r is the distance of a vertex from its place on a
+   * surface with the faces of the sample, along the normal of that surface there. From -1 to 1; 0
+   * for white noise.
+   */
+  double ResidualCorrelation(const TriangleMesh& surface, Execution& execution) const;
+
+  /**
    * Gaussian displacements of deviation 1 for the vertices of a surface with the faces of the
    * sample. They depend on the place of a vertex in the order of distances from the middle alone,
    * and turn with the surface. Those in random directions are 0.9 times as large along the surface.
