@@ -5,6 +5,7 @@
 
 #include "Automatic/AutomaticCloud.h"
 
+#include "AutomaticClouds.h"
 #include "Impatient.h"
 #include "Noise.h"
 #include "NoisyClouds.h"
@@ -16,114 +17,6 @@
 #include <limits>
 
 using namespace SurfaceDenoising;
-
-namespace
-{
-
-PointCloud Noisy(const SurfaceCloud& clean, double noise)
-{
-  PointCloud cloud;
-  cloud.Positions = clean.Positions;
-  AddNoise(cloud.Positions, noise * clean.Spacing, 9);
-  return cloud;
-}
-
-/// In spacings.
-double MeanDistance(const SurfaceCloud& clean, const Buffer<Vec3>& positions)
-{
-  double sum = 0.0;
-  for (const Vec3& p : positions)
-  {
-    sum += std::abs(clean.DistanceOf(p));
-  }
-  return sum / clean.Spacing / static_cast<double>(positions.size());
-}
-
-AutomaticCloudReport Denoise(PointCloud& cloud, double strength = 1.0)
-{
-  AutomaticCloudReport report;
-  Execution serial;
-  EXPECT_TRUE(DenoiseAutomatically(cloud, strength, report, serial));
-  return report;
-}
-
-double Best(const SurfaceCloud& clean, double noise)
-{
-  double best = 1e300;
-  for (const PointMethodRow& row : PointMethods())
-  {
-    PointCloud cloud = Noisy(clean, noise);
-    PointDenoisingReport report;
-    Execution serial;
-    EXPECT_TRUE(DenoisePoints(cloud, row.Settings, report, serial));
-    best = std::min(best, MeanDistance(clean, cloud.Positions));
-  }
-  return best;
-}
-
-}
-
-/// As good as the best of all methods as they come, or nearly so: small clouds tell risks roughly.
-TEST(AutomaticCloud, NearTheBestMethodWhateverTheSurface)
-{
-  for (const double noise : { 0.1, 0.4 })
-  {
-    const SurfaceCloud clouds[] = { SphereCloud(700), CubeCloud(11), WedgeCloud(20, 18) };
-    for (const SurfaceCloud& clean : clouds)
-    {
-      PointCloud cloud = Noisy(clean, noise);
-      const AutomaticCloudReport report = Denoise(cloud);
-      EXPECT_LT(MeanDistance(clean, cloud.Positions), 1.1 * Best(clean, noise) + 0.005)
-        << report.Choice.Reason;
-      EXPECT_FALSE(report.Choice.Nothing);
-      EXPECT_FALSE(report.Choice.Reason.empty());
-    }
-  }
-}
-
-/// Rows ten times as far apart as their points: what is nearest is a row, unless noise is strong
-/// enough to hide it.
-TEST(AutomaticCloud, DenoisesPointsInRows)
-{
-  const SurfaceCloud clean = TorusInRows(1500, 10.0);
-  PointCloud cloud = Noisy(clean, 0.1);
-  const double before = MeanDistance(clean, cloud.Positions);
-  const AutomaticCloudReport report = Denoise(cloud);
-  EXPECT_LT(MeanDistance(clean, cloud.Positions), 0.4 * before) << report.Choice.Reason;
-
-  cloud.Positions = clean.Positions;
-  Denoise(cloud);
-  EXPECT_LT(MeanDistance(clean, cloud.Positions), 0.005);
-}
-
-/// Plain moving least squares round edges off, the more so the stronger the noise.
-TEST(AutomaticCloud, TwiceAsNearToEdgesAsMovingLeastSquares)
-{
-  const SurfaceCloud clean = CubeCloud(20);
-  // Mean distance of points within three spacings of an edge.
-  auto nearEdges = [&](const Buffer<Vec3>& positions)
-  {
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-    {
-      const Vec3 p = clean.Positions[i].cwiseAbs();
-      if ((p.array() > 1.0 - 3.0 * clean.Spacing).count() > 1)
-      {
-        sum += std::abs(clean.DistanceOf(positions[i]));
-        ++count;
-      }
-    }
-    return sum / count;
-  };
-  PointCloud cloud = Noisy(clean, 1.0);
-  PointCloud rounded = cloud;
-  Denoise(cloud);
-  PointDenoisingReport report;
-  Execution serial;
-  ASSERT_TRUE(DenoisePoints(rounded, SettingsOf(PointMethod::MovingLeastSquares), report, serial));
-  EXPECT_LT(nearEdges(cloud.Positions), 0.5 * nearEdges(rounded.Positions));
-}
 
 TEST(AutomaticCloud, CleanCloudsStayAsTheyAre)
 {
