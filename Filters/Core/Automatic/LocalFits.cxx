@@ -5,11 +5,13 @@
 
 #include "Automatic/OutwardOrder.h"
 #include "KdTree.h"
+#include "Metrics.h"
 #include "Points/PlaneFit.h"
 
 #include <Eigen/Cholesky>
 
 #include <cmath>
+#include <numeric>
 
 namespace SurfaceDenoising
 {
@@ -37,6 +39,10 @@ constexpr double LeastShare = 0.8;
 
 /// Of the residuals of noise it is 3, of two sheets 1.
 constexpr double LeastKurtosis = 2.9;
+
+/// Chance lowers those of fits to N points below 3: their lower quartile by 2.6 to 2.9 over the
+/// root of N, whatever the surface.
+constexpr double QuartileSpread = 3.5;
 
 /// Points that wide fits are made for.
 constexpr std::size_t WidePoints = 4000;
@@ -155,17 +161,22 @@ bool LocalFits::AreOfSurface() const
 
 bool LocalFits::AreOfNoise() const
 {
-  double sum = 0.0;
-  double count = 0.0;
+  Buffer<double> kurtoses;
   for (std::size_t i = 0; i < this->Few.size(); ++i)
   {
     if (this->Few[i] >= 0.0)
     {
-      sum += this->Kurtoses[i];
-      count += 1.0;
+      kurtoses.push_back(this->Kurtoses[i]);
     }
   }
-  return sum >= LeastKurtosis * count;
+  if (kurtoses.empty())
+  {
+    return true;
+  }
+  const double sum = std::accumulate(kurtoses.begin(), kurtoses.end(), 0.0);
+  const double number = static_cast<double>(this->Widening * FewNeighbors + 1);
+  return sum >= LeastKurtosis * static_cast<double>(kurtoses.size()) &&
+    Percentile(kurtoses, 0.25) >= 3.0 - QuartileSpread / std::sqrt(number);
 }
 
 LocalFits FitEverywhere(const Buffer<Vec3>& points, const CompressedRows& nearest,

@@ -47,9 +47,12 @@ struct LocalFits
   /// Whether four in five points that have a fit of the largest size have one of the smallest.
   bool AreOfSurface() const;
 
-  /// Whether the residuals of the smallest fits may be noise: their kurtosis is at least 2.9 on
-  /// average. Of normally distributed noise it is 3, and 2.95 or more was measured whatever the
-  /// surface. Those of the two sheets of a thin part have fewer extreme values.
+  /**
+   * Whether the residuals of the smallest fits may be noise: their kurtosis is at least 2.9 on
+   * average, and its lower quartile at least 3 - 3.5 / sqrt(9 w + 1). Of normally distributed noise
+   * it is 3, and 2.94 or more was measured whatever the surface. Those of the two sheets of a thin
+   * part have fewer extreme values; under noise with heavy tails, only the quartile shows that.
+   */
   bool AreOfNoise() const;
 };
 
