@@ -64,7 +64,7 @@ Part Wide(int outer, double relaxation)
 }
 
 /// Smooth normals, which the vertices follow for long: faces turn back that noise has folded over.
-Part Unfolding() { return Bilateral(1.0, 20, 20); }
+Part Following() { return Bilateral(1.0, 20, 20); }
 
 /// Flattens sides and rounds what is sharper than 50 degrees or so.
 Part Cosine()
@@ -100,6 +100,14 @@ CandidateChain Chain(SurfaceType type, const char* purpose, const std::vector<Pa
   return chain;
 }
 
+CandidateChain Unfolding(const std::vector<Part>& parts, TruthUse truth)
+{
+  CandidateChain chain =
+    Chain(SurfaceType::Any, "narrow faces that noise has folded over", parts, truth);
+  chain.ForFolds = true;
+  return chain;
+}
+
 }
 
 const std::vector<CandidateChain>& CandidateChains()
@@ -107,7 +115,6 @@ const std::vector<CandidateChain>& CandidateChains()
   static const char* const fine = "fine detail under weak noise";
   static const char* const organic = "curved surface";
   static const char* const mixed = "curved surface with edges";
-  static const char* const narrow = "narrow faces that noise has folded over";
   static const char* const sides = "flat sides with sharp edges";
   static const char* const strong = "flat sides with sharp edges under strong noise";
   static const std::vector<CandidateChain> chains = {
@@ -127,10 +134,9 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain(SurfaceType::Any, mixed, { Cosine() }, TruthUse::WithoutFolds),
     Chain(SurfaceType::Any, mixed, { Wide(15, 0.05) }),
     Chain(SurfaceType::Any, mixed, { Wide(60, 0.2) }, TruthUse::Always),
-    Chain(SurfaceType::Any, narrow, { Wide(10, 0.2), Unfolding() }, TruthUse::IfWhite),
-    Chain(SurfaceType::Any, narrow, { Wide(10, 0.2), Unfolding(), Wide(10, 0.2), Unfolding() },
-      TruthUse::IfWhite),
-    Chain(SurfaceType::Any, narrow, { Wide(10, 0.2), Unfolding(), Wide(15, 0.2), Narrow() }),
+    Unfolding({ Wide(10, 0.2), Following() }, TruthUse::IfWhite),
+    Unfolding({ Wide(10, 0.2), Following(), Wide(10, 0.2), Following() }, TruthUse::IfWhite),
+    Unfolding({ Wide(10, 0.2), Following(), Wide(15, 0.2), Narrow() }, TruthUse::Never),
     Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }, TruthUse::Always),
     Chain(SurfaceType::Sharp, strong, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }),
     Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 1), Wide(15, 0.05), Narrow() }),

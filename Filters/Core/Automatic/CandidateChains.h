@@ -30,6 +30,7 @@ struct CandidateChain
   const char* Purpose; ///< what it is for, for people
   SurfaceType Type;
   TruthUse Truth = TruthUse::Never;
+  bool ForFolds = false; ///< not worth a trial where hardly a face is folded over
   std::vector<Method> Methods;
   MethodChain Steps;
 };

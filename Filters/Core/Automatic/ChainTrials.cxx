@@ -42,7 +42,6 @@ ChainTrials::ChainTrials(const TrialSample& sample,
   : Sample(sample)
   , Candidates(candidates)
   , Surfaces(sample)
-  , FoldsAfter(candidates.size(), std::nan(""))
 {
 }
 
@@ -118,6 +117,7 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
   {
     return false;
   }
+  this->FoldsAfter = this->Surfaces.FoldsAfter();
   const std::size_t count = this->Candidates.size();
   const std::vector<PlausibleSurface>& truths = this->Surfaces.BySum();
   if (truths.empty() || count == 0 || !this->Surfaces.AnyFits())
@@ -125,6 +125,10 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
     return execution.Proceed(1.0);
   }
   Measures logarithms(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    logarithms[k] = this->Surfaces.IsWorthATrial(*this->Candidates[k]) ? 0.0 : Infinite;
+  }
   double weights = 0.0;
   for (std::size_t t = 0; t < std::min(MostTruths, truths.size()); ++t)
   {
@@ -167,6 +171,10 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
     {
       const std::size_t next = (result.Best + k) % count;
       double angle = 0.0;
+      if (!this->Surfaces.IsWorthATrial(*this->Candidates[next]))
+      {
+        continue;
+      }
       if (!this->AngleAfter(next, witness, noisy, angle, execution))
       {
         return false;

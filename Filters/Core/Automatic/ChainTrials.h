@@ -72,7 +72,7 @@ private:
   const TrialSample& Sample;
   const std::vector<const CandidateChain*>& Candidates;
   PlausibleSurfaces Surfaces;
-  Measures FoldsAfter; ///< share of folded edges after each candidate; NaN: not known yet
+  Measures FoldsAfter; ///< see PlausibleSurfaces; filled in as candidates are run
 };
 
 }

@@ -26,7 +26,9 @@ constexpr double LargestCorrelation = 0.05;
 /// Folds of a surface cost so much more if that share of the edges of the input is folded.
 constexpr double MoreFoldCost = 2.0;
 constexpr double FoldsOfStrongNoise = 0.2;
-/// Shares of folded edges: clean meshes have hardly more; only noise makes as many.
+/// Shares of folded edges: chains for folds need no trial; clean meshes have hardly more; only
+/// noise makes as many.
+constexpr double HardlyAFold = 0.01;
 constexpr double FewFolds = 0.03;
 constexpr double ManyFolds = 0.05;
 /// From there on, of 1 if only noise makes as many folds, chains must unfold to make surfaces.
@@ -168,6 +170,10 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
 
 bool PlausibleSurfaces::MakesTruth(const CandidateChain& chain) const
 {
+  if (!this->IsWorthATrial(chain))
+  {
+    return false;
+  }
   return chain.Truth == TruthUse::WithoutFolds ? this->Folding < MustUnfold
                                                : chain.Truth != TruthUse::Never;
 }
@@ -175,6 +181,7 @@ bool PlausibleSurfaces::MakesTruth(const CandidateChain& chain) const
 bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidates,
   Execution& execution)
 {
+  this->FoldsOfCandidates.assign(candidates.size(), std::nan(""));
   const TriangleMesh& mesh = this->Sample.Mesh();
   const Buffer<Vec3> normals = FaceNormals(mesh, execution);
   this->BendsBefore = this->Sample.Bends(normals, BendFractions);
@@ -206,6 +213,7 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
     {
       return false;
     }
+    this->FoldsOfCandidates[k] = this->Sample.FoldedShare(FaceNormals(surface, share));
     if (candidates[k]->Truth == TruthUse::IfWhite &&
       this->Sample.ResidualCorrelation(surface, share) > LargestCorrelation)
     {
@@ -226,6 +234,11 @@ TriangleMesh PlausibleSurfaces::WithNoise(const PlausibleSurface& truth, double 
 {
   return Displaced(truth.Surface, this->Sample.Noise(truth.Surface, truth.Kind, execution),
     strength * truth.Deviation);
+}
+
+bool PlausibleSurfaces::IsWorthATrial(const CandidateChain& chain) const
+{
+  return !chain.ForFolds || this->FoldsBefore >= HardlyAFold;
 }
 
 bool PlausibleSurfaces::AnyFits() const

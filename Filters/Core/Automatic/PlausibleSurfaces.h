@@ -24,8 +24,9 @@
  * positive. What chains that smooth much make is no T at all if that correlation is above 0.05.
  *
  * Surfaces without noise have hardly any folded edges (adjacent faces turned by 120 degrees or
- * more). If 5% of those of y are, it is noise that folds them, and from 4% on chains that leave
- * them so make no T; from 10% to 20%, what those of T cost rises to three times their share.
+ * more). From 1% on, chains for folds are worth a trial. If 5% of those of y are, it is noise that
+ * folds them, and from 4% on chains that leave them so make no T; from 10% to 20%, what those of T
+ * cost rises to three times their share.
  */
 
 #ifndef SurfaceDenoising_PlausibleSurfaces_h
@@ -80,6 +81,10 @@ public:
 
   /// The share of the edges of the sample that are folded.
   double ShareOfFolds() const { return this->FoldsBefore; }
+  /// What it is after each candidate; NaN for those that have not been run.
+  const std::vector<double>& FoldsAfter() const { return this->FoldsOfCandidates; }
+  /// False for a chain for folds if hardly an edge of the sample is folded.
+  bool IsWorthATrial(const CandidateChain& chain) const;
   /// 0 if clean meshes have as many folds, 1 if only noise makes as many.
   double FoldsAreNoise() const { return this->Folding; }
 
@@ -97,6 +102,7 @@ private:
   Measures BendsBefore;  ///< M2 of the sample
   double FoldsBefore = 0.0;
   double Folding = 0.0;
+  Measures FoldsOfCandidates;
   std::vector<PlausibleSurface> Surfaces;
   double LeastMisfit;
   double LeastSum[2]; ///< per kind of noise
