@@ -18,7 +18,7 @@ double Correlation(const TriangleMesh& mesh, const TriangleMesh& surface)
   Execution serial;
   const MeshSample sample = TakeSample(mesh, mesh.NumberOfFaces(), serial);
   const MeshSample place = TakeSample(surface, mesh.NumberOfFaces(), serial);
-  return TrialSample(sample, serial).ResidualCorrelation(place.Mesh, serial);
+  return TrialSample(sample, serial).Residual(sample.Mesh, place.Mesh, serial).Correlation;
 }
 
 }

@@ -26,10 +26,11 @@ constexpr double FoldAngle = 250.0;
 constexpr double Hopeless = 1.4;
 /// A gain below this is not certain: the error must fall to this share of that of the input.
 constexpr double LargestError = 0.9;
-/// The same if noise and detail can be confused, for the truths that count and for any other.
-constexpr double LargestDoubtfulError = 0.62;
+/// If noise and detail can be confused, the same for any other truth than those that count.
 constexpr double LargestWitnessError = 0.7;
 constexpr double MisfitCost = 10.0;
+constexpr double SizeCost = 1.0;
+constexpr double CorrelationCost = 4.0;
 /// Misfit that chance makes with N faces, times the square root of N.
 constexpr double ChanceMisfit = 0.5;
 constexpr double WeakAngle = 20.0;
@@ -109,6 +110,59 @@ bool ChainTrials::Try(const PlausibleSurface& truth, double strength, double lim
   return true;
 }
 
+/// What a candidate removes from the input that it does not remove from a truth with noise.
+bool ChainTrials::Surplus(std::size_t candidate, const PlausibleSurface& truth, double& surplus,
+  Execution& execution)
+{
+  const TriangleMesh noisy = this->Surfaces.WithNoise(truth, 1.0, execution);
+  TriangleMesh foreseen = noisy;
+  TriangleMesh real = this->Sample.Mesh();
+  if (!RunChain(foreseen, this->Candidates[candidate]->Steps, execution) ||
+    !RunChain(real, this->Candidates[candidate]->Steps, execution))
+  {
+    return false;
+  }
+  const TrialResidual expected = this->Sample.Residual(noisy, foreseen, execution);
+  const TrialResidual found = this->Sample.Residual(this->Sample.Mesh(), real, execution);
+  surplus = CorrelationCost * std::max(0.0, found.Correlation - expected.Correlation);
+  if (found.Size > expected.Size)
+  {
+    surplus += SizeCost * (found.Size / expected.Size - 1.0);
+  }
+  return true;
+}
+
+/// If the best leaves too much for this truth, the best for it comes in its place.
+bool ChainTrials::AskWitness(const PlausibleSurface& witness, double strength, TrialResult& result,
+  Execution& execution)
+{
+  const TriangleMesh noisy = this->Surfaces.WithNoise(witness, strength, execution);
+  const double before = this->AngleTo(witness, noisy, this->Surfaces.ShareOfFolds(), execution);
+  const std::size_t count = this->Candidates.size();
+  std::vector<double> errors(count, Infinite);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const std::size_t next = (result.Best + k) % count;
+    if (!this->Surfaces.IsWorthATrial(*this->Candidates[next]))
+    {
+      continue;
+    }
+    double angle = 0.0;
+    if (!this->AngleAfter(next, witness, noisy, angle, execution))
+    {
+      return false;
+    }
+    errors[next] = std::exp(LogarithmOfAngles(angle, before));
+    if (k == 0 && errors[next] < LargestWitnessError)
+    {
+      return true;
+    }
+  }
+  result.Best = std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
+  result.Error = errors[result.Best];
+  return true;
+}
+
 bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution)
 {
   result = TrialResult();
@@ -158,38 +212,18 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
     truths[0].Normals, execution);
   const double doubt = (1.0 - this->Surfaces.FoldsAreNoise()) *
     std::clamp((StrongAngle - angleBefore) / (StrongAngle - WeakAngle), 0.0, 1.0);
-  result.Certain = result.Error < LargestError;
+  double cost = 0.0;
   if (doubt > 0.0)
   {
-    const double chance = ChanceMisfit / std::sqrt(double(this->Sample.Count()));
-    const double misfit = std::max(0.0, witness.Misfit - chance);
-    const double limit = LargestDoubtfulError * std::exp(-MisfitCost * doubt * misfit);
-    const TriangleMesh noisy = this->Surfaces.WithNoise(witness, strength, execution);
-    const double before = this->AngleTo(witness, noisy, this->Surfaces.ShareOfFolds(), execution);
-    std::vector<double> errors(count, Infinite);
-    for (std::size_t k = 0; k < count; ++k)
+    if (!this->AskWitness(witness, strength, result, execution) ||
+      !this->Surplus(result.Best, truths[0], cost, execution))
     {
-      const std::size_t next = (result.Best + k) % count;
-      double angle = 0.0;
-      if (!this->Surfaces.IsWorthATrial(*this->Candidates[next]))
-      {
-        continue;
-      }
-      if (!this->AngleAfter(next, witness, noisy, angle, execution))
-      {
-        return false;
-      }
-      errors[next] = std::exp(LogarithmOfAngles(angle, before));
-      if (k == 0 && errors[next] < LargestWitnessError)
-      {
-        result.Certain = result.Error < limit;
-        return execution.Proceed(1.0);
-      }
+      return false;
     }
-    result.Best = std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
-    result.Error = errors[result.Best];
-    result.Certain = result.Error < limit;
+    const double chance = ChanceMisfit / std::sqrt(double(this->Sample.Count()));
+    cost += MisfitCost * std::max(0.0, witness.Misfit - chance);
   }
+  result.Certain = result.Error < LargestError * std::exp(-doubt * cost);
   return execution.Proceed(1.0);
 }
 

@@ -38,9 +38,14 @@ struct TrialResult
   /**
    * True if the error is certain to be less than that of the input. Detail that fits no truth can
    * be taken for weak noise, hardly for strong noise or if noise folds faces: with d from 1 if the
-   * noise turns faces by 20 degrees on average to 0 if by 35, Error must be below 0.62 exp(-10 d
-   * m), or below 0.9 if d is 0; m is the least misfit, less 0.5 / sqrt(number of faces), which
-   * chance may have made.
+   * noise turns faces by 20 degrees on average to 0 if by 35, Error must be below
+   *
+   *   0.9 exp(-d (10 m + s + 4 c)).
+   *
+   * m is the least misfit, less 0.5 / sqrt(number of faces), which chance may have made. What the
+   * candidate removes from the input is put beside what it removes from the best truth with noise:
+   * s is how much larger it is, the ratio less 1, and c how much more correlated (TrialResidual),
+   * if it is: shape, not noise.
    */
   bool Certain = false;
 };
@@ -66,6 +71,10 @@ private:
     Execution& execution) const;
   bool AngleAfter(std::size_t candidate, const PlausibleSurface& truth, const TriangleMesh& noisy,
     double& angle, Execution& execution);
+  bool AskWitness(const PlausibleSurface& witness, double strength, TrialResult& result,
+    Execution& execution);
+  bool Surplus(std::size_t candidate, const PlausibleSurface& truth, double& surplus,
+    Execution& execution);
   bool Try(const PlausibleSurface& truth, double strength, double limit, double weight,
     Measures& logarithms, Execution& execution);
 

@@ -117,8 +117,8 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
   const double folds = this->Sample.FoldedShare(right) *
     (1.0 + MoreFoldCost * Ramp(this->FoldsBefore, 0.5 * FoldsOfStrongNoise, FoldsOfStrongNoise));
   const Measures bends = this->Sample.Bends(right, BendFractions);
-  const double colour =
-    CorrelationCost * std::max(0.0, this->Sample.ResidualCorrelation(surface, execution));
+  const double colour = CorrelationCost *
+    std::max(0.0, this->Sample.Residual(this->Sample.Mesh(), surface, execution).Correlation);
   const double roughness =
     RoughnessCost * bends[Middle] / (this->BendsBefore[Middle] + SofteningAngle);
   std::vector<std::size_t> quartiles(1, LowerQuartile);
@@ -215,7 +215,7 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
     }
     this->FoldsOfCandidates[k] = this->Sample.FoldedShare(FaceNormals(surface, share));
     if (candidates[k]->Truth == TruthUse::IfWhite &&
-      this->Sample.ResidualCorrelation(surface, share) > LargestCorrelation)
+      this->Sample.Residual(mesh, surface, share).Correlation > LargestCorrelation)
     {
       continue;
     }

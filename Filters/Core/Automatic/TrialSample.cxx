@@ -104,14 +104,15 @@ double TrialSample::FoldedShare(const Buffer<Vec3>& normals) const
   return double(folded) / std::max(1.0, double(pairs));
 }
 
-double TrialSample::ResidualCorrelation(const TriangleMesh& surface, Execution& execution) const
+TrialResidual TrialSample::Residual(const TriangleMesh& mesh, const TriangleMesh& surface,
+  Execution& execution) const
 {
   const Buffer<Vec3> normals = VertexAreaVectors(surface, this->Stars, execution);
-  Buffer<double> residuals(normals.size());
-  for (std::size_t v = 0; v < residuals.size(); ++v)
+  Buffer<double> distances(normals.size());
+  for (std::size_t v = 0; v < distances.size(); ++v)
   {
-    const Vec3 step = this->Mesh().Positions[v] - surface.Positions[v];
-    residuals[v] = step.dot(normals[v].stableNormalized());
+    const Vec3 step = mesh.Positions[v] - surface.Positions[v];
+    distances[v] = step.dot(normals[v].stableNormalized());
   }
   double products = 0.0;
   double squares = 0.0;
@@ -120,13 +121,19 @@ double TrialSample::ResidualCorrelation(const TriangleMesh& surface, Execution& 
     const Triangle& t = surface.Triangles[f];
     for (int k = 0; k < 3; ++k)
     {
-      const double a = residuals[t[k]];
-      const double b = residuals[t[(k + 1) % 3]];
+      const double a = distances[t[k]];
+      const double b = distances[t[(k + 1) % 3]];
       products += 2.0 * a * b;
       squares += a * a + b * b;
     }
   }
-  return squares > 0.0 ? products / squares : 0.0;
+  TrialResidual residual;
+  if (squares > 0.0)
+  {
+    residual.Size = std::sqrt(squares / (6.0 * double(this->Faces.size())));
+    residual.Correlation = products / squares;
+  }
+  return residual;
 }
 
 Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind,

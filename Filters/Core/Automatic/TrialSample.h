@@ -23,6 +23,15 @@ enum class TrialNoise : int
   RandomDirections
 };
 
+/// Of the distances r of vertices from their places on a surface, along its normals there.
+struct TrialResidual
+{
+  double Size = 0.0; ///< root mean square, a length
+  /// How alike r is at both ends of an edge: the sum of 2 r_i r_j over the edges of faces over that
+  /// of r_i^2 + r_j^2. From -1 to 1; 0 for white noise.
+  double Correlation = 0.0;
+};
+
 class TrialSample
 {
 public:
@@ -46,13 +55,9 @@ public:
   /// Share of the pairs of adjacent faces with more than 120 degrees between their normals.
   double FoldedShare(const Buffer<Vec3>& normals) const;
 
-  /**
-   * How alike the residuals r of adjacent vertices are: the sum of 2 r_i r_j over the edges of
-   * faces over that of r_i^2 + r_j^2, where r is the distance of a vertex from its place on a
-   * surface with the faces of the sample, along the normal of that surface there. From -1 to 1; 0
-   * for white noise.
-   */
-  double ResidualCorrelation(const TriangleMesh& surface, Execution& execution) const;
+  /// What is left of a mesh over a surface with the same faces.
+  TrialResidual Residual(const TriangleMesh& mesh, const TriangleMesh& surface,
+    Execution& execution) const;
 
   /**
    * Gaussian displacements of deviation 1 for the vertices of a surface with the faces of the
