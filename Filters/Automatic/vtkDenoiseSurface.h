@@ -5,7 +5,7 @@
  * @class   vtkDenoiseSurface
  * @brief   removes the noise of a surface or a point cloud, with nothing to set
  *
- * The filter measures how noisy its input is, from the input alone, tries a dozen chains of
+ * The filter measures how noisy its input is, from the input alone, tries two dozen chains of
  * published methods on samples of it, and runs the one whose result is expected to be closest to
  * the surface without noise: sharp edges stay sharp, curved surfaces stay curved, and what is not
  * noisy stays as it is. Vertices and points that are far off the surface (impulsive noise,
