@@ -40,11 +40,11 @@ struct TrialResult
    * be taken for weak noise, hardly for strong noise or if noise folds faces: with d from 1 if the
    * noise turns faces by 20 degrees on average to 0 if by 35, Error must be below
    *
-   *   0.9 exp(-d (10 m + s + 4 c)).
+   *   0.9 exp(-d (10 m + z + 4 c)).
    *
    * m is the least misfit, less 0.5 / sqrt(number of faces), which chance may have made. What the
    * candidate removes from the input is put beside what it removes from the best truth with noise:
-   * s is how much larger it is, the ratio less 1, and c how much more correlated (TrialResidual),
+   * z is how much larger it is, the ratio less 1, and c how much more correlated (TrialResidual),
    * if it is: shape, not noise.
    */
   bool Certain = false;
