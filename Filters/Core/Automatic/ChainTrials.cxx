@@ -36,6 +36,8 @@ constexpr double ChanceMisfit = 0.5;
 constexpr double WeakAngle = 20.0;
 constexpr double StrongAngle = 35.0;
 
+double ErrorOf(double angle, double before) { return std::exp(LogarithmOfAngles(angle, before)); }
+
 }
 
 ChainTrials::ChainTrials(const TrialSample& sample,
@@ -83,24 +85,24 @@ bool ChainTrials::AngleAfter(std::size_t candidate, const PlausibleSurface& trut
   return true;
 }
 
-/// Adds the logarithms of the errors that the candidates below a limit leave for a truth.
+/// Adds the errors that the candidates below a limit leave for a truth.
 bool ChainTrials::Try(const PlausibleSurface& truth, double strength, double limit, double weight,
-  Measures& logarithms, Execution& execution)
+  Measures& errors, Execution& execution)
 {
   const TriangleMesh noisy = this->Surfaces.WithNoise(truth, strength, execution);
   const double before = this->AngleTo(truth, noisy, this->Surfaces.ShareOfFolds(), execution);
-  for (std::size_t k = 0; k < logarithms.size(); ++k)
+  for (std::size_t k = 0; k < errors.size(); ++k)
   {
-    const double part = 1.0 / double(logarithms.size());
+    const double part = 1.0 / double(errors.size());
     ProgressShare share(execution, double(k) * part, double(k + 1) * part);
     double angle = 0.0;
-    if (logarithms[k] > limit)
+    if (errors[k] > limit)
     {
-      logarithms[k] = Infinite;
+      errors[k] = Infinite;
     }
     else if (this->AngleAfter(k, truth, noisy, angle, share))
     {
-      logarithms[k] += weight * LogarithmOfAngles(angle, before);
+      errors[k] += weight * ErrorOf(angle, before);
     }
     else
     {
@@ -152,7 +154,7 @@ bool ChainTrials::AskWitness(const PlausibleSurface& witness, double strength, T
     {
       return false;
     }
-    errors[next] = std::exp(LogarithmOfAngles(angle, before));
+    errors[next] = ErrorOf(angle, before);
     if (k == 0 && errors[next] < LargestWitnessError)
     {
       return true;
@@ -178,10 +180,10 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
   {
     return execution.Proceed(1.0);
   }
-  Measures logarithms(count, 0.0);
+  Measures errors(count, 0.0);
   for (std::size_t k = 0; k < count; ++k)
   {
-    logarithms[k] = this->Surfaces.IsWorthATrial(*this->Candidates[k]) ? 0.0 : Infinite;
+    errors[k] = this->Surfaces.IsWorthATrial(*this->Candidates[k]) ? 0.0 : Infinite;
   }
   double weights = 0.0;
   for (std::size_t t = 0; t < std::min(MostTruths, truths.size()); ++t)
@@ -191,20 +193,18 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
     {
       break;
     }
-    const double limit =
-      *std::min_element(logarithms.begin(), logarithms.end()) + weights * std::log(Hopeless);
+    const double limit = Hopeless * *std::min_element(errors.begin(), errors.end());
     const double weight = std::exp(-gap / Tolerance);
     const double part = 0.4 / double(MostTruths);
     ProgressShare share(execution, 0.6 + double(t) * part, 0.6 + double(t + 1) * part);
-    if (!this->Try(truths[t], strength, limit, weight, logarithms, share))
+    if (!this->Try(truths[t], strength, limit, weight, errors, share))
     {
       return false;
     }
     weights += weight;
   }
-  result.Best =
-    std::size_t(std::min_element(logarithms.begin(), logarithms.end()) - logarithms.begin());
-  result.Error = std::exp(logarithms[result.Best] / weights);
+  result.Best = std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
+  result.Error = errors[result.Best] / weights;
   // The truth that fits best may be one that is not smooth. Then what is best for it is safer.
   const PlausibleSurface& witness = this->Surfaces.BestFitting();
   const double angleBefore = this->Sample.MeanAngle(

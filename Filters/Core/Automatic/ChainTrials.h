@@ -32,8 +32,8 @@ namespace SurfaceDenoising
 struct TrialResult
 {
   std::size_t Best = 0; ///< number of the candidate with the least error
-  /// The mean angle to the true normals that it leaves over that of the input: the geometric mean
-  /// over the truths. Infinite if no truth fits at all.
+  /// The mean angle to the true normals that it leaves over that of the input: the mean over the
+  /// truths. Infinite if no truth fits at all.
   double Error = std::numeric_limits<double>::infinity();
   /**
    * True if the error is certain to be less than that of the input. Detail that fits no truth can
@@ -76,7 +76,7 @@ private:
   bool Surplus(std::size_t candidate, const PlausibleSurface& truth, double& surplus,
     Execution& execution);
   bool Try(const PlausibleSurface& truth, double strength, double limit, double weight,
-    Measures& logarithms, Execution& execution);
+    Measures& errors, Execution& execution);
 
   const TrialSample& Sample;
   const std::vector<const CandidateChain*>& Candidates;
