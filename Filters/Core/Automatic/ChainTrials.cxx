@@ -28,6 +28,7 @@ constexpr double Hopeless = 1.4;
 constexpr double LargestError = 0.9;
 /// If noise and detail can be confused, the same for any other truth than those that count.
 constexpr double LargestWitnessError = 0.7;
+/// What makes a gain doubtful, see TrialResult::Certain.
 constexpr double MisfitCost = 10.0;
 constexpr double SizeCost = 1.0;
 constexpr double CorrelationCost = 4.0;

@@ -19,6 +19,7 @@ constexpr double LargestMisfit = 0.12;
 constexpr std::size_t FirstSurfaces = 8;
 /// The other kind of noise is not tried any more once the first are worse with it by that.
 constexpr double ClearGap = 0.06;
+/// What makes a surface less plausible, see the header.
 constexpr double RoughnessCost = 0.05;
 constexpr double CorrelationCost = 0.05;
 /// What is more correlated is not nearly white.
@@ -126,6 +127,7 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
   {
     quartiles.push_back(UpperQuartile);
   }
+  // Of the surfaces before: on this one, either kind has the same chance.
   const double limit = std::min(this->LeastSum[0], this->LeastSum[1]) + ClearGap;
   for (const TrialNoise kind : { TrialNoise::AlongNormals, TrialNoise::RandomDirections })
   {
