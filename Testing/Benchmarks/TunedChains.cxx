@@ -37,7 +37,7 @@ Tuned Diffusion(double degrees, int outer, FaceNeighborhood neighborhood)
   return tuned;
 }
 
-Tuned Wide(double scale, int outer, double relaxation)
+Tuned Tukey(double scale, int outer, double relaxation)
 {
   Tuned tuned = With(Method::TukeyBilateralNormal, scale, outer, 1, 1);
   tuned.Settings.Vertices.Relaxation = relaxation;
@@ -73,12 +73,15 @@ std::vector<TunedChain> TunedChains()
   }
   chains.push_back({ Diffusion(40.0, 40, edges) });
   const Tuned narrow = With(Method::ThresholdedCosine, 0.2, 1, 20, 50);
-  for (const int outer : { 10, 15, 30, 60 })
+  for (const double scale : { 0.35, 0.5, 1.0 })
   {
-    for (const double relaxation : { 0.05, 0.2 })
+    for (const int outer : { 10, 15, 30, 60 })
     {
-      chains.push_back({ Wide(1.0, outer, relaxation) });
-      chains.push_back({ Wide(1.0, outer, relaxation), narrow });
+      for (const double relaxation : { 0.05, 0.2 })
+      {
+        chains.push_back({ Tukey(scale, outer, relaxation) });
+        chains.push_back({ Tukey(scale, outer, relaxation), narrow });
+      }
     }
   }
   chains.push_back({ With(Method::ThresholdedCosine, 1.0, 1, 15, 12) });

@@ -29,8 +29,9 @@ inline double EdgeLengthOf(const SurfaceDenoising::TriangleMesh& mesh)
   return TakeEdgeCensus(mesh, VertexStars(mesh), serial).MeanEdgeLength;
 }
 
-/// A torus of n times 2 n squares of two triangles.
-inline SurfaceDenoising::TriangleMesh Torus(int n)
+/// A torus of n times 2 n squares of two triangles. Of an even n rings, every second may be nearer
+/// to the one before by this share of a step: every second row of triangles is thin.
+inline SurfaceDenoising::TriangleMesh Torus(int n, double nearer = 0.0)
 {
   using namespace SurfaceDenoising;
   TriangleMesh mesh;
@@ -40,11 +41,42 @@ inline SurfaceDenoising::TriangleMesh Torus(int n)
     for (int j = 0; j < n; ++j)
     {
       const double a = 0.5 * step * (i + 0.5 * (j % 2));
-      const double r = 1.0 + 0.5 * std::cos(step * j);
-      mesh.Positions.push_back(Vec3(r * std::cos(a), r * std::sin(a), 0.5 * std::sin(step * j)));
+      const double b = step * (j % 2 == 1 ? j - nearer : j);
+      const double r = 1.0 + 0.5 * std::cos(b);
+      mesh.Positions.push_back(Vec3(r * std::cos(a), r * std::sin(a), 0.5 * std::sin(b)));
       auto at = [n](int k, int m) { return Index((k % (2 * n)) * n + m % n); };
       mesh.Triangles.push_back({ at(i, j), at(i + 1, j), at(i, j + 1) });
       mesh.Triangles.push_back({ at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) });
+    }
+  }
+  return mesh;
+}
+
+/// The sides of a prism, open at both ends: each is cut into so many squares of two triangles.
+inline SurfaceDenoising::TriangleMesh Prism(int sides, int cuts, int layers)
+{
+  using namespace SurfaceDenoising;
+  TriangleMesh mesh;
+  const double turn = 2.0 * 3.14159265358979323846 / sides;
+  const int around = sides * cuts;
+  for (int layer = 0; layer <= layers; ++layer)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      const double from = turn * (i / cuts);
+      const double share = double(i % cuts) / cuts;
+      mesh.Positions.push_back(Vec3((1.0 - share) * std::cos(from) + share * std::cos(from + turn),
+        (1.0 - share) * std::sin(from) + share * std::sin(from + turn),
+        2.0 * std::sin(0.5 * turn) / cuts * layer));
+    }
+  }
+  auto at = [around](int layer, int i) { return Index(layer * around + i % around); };
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      mesh.Triangles.push_back({ at(layer, i), at(layer, i + 1), at(layer + 1, i + 1) });
+      mesh.Triangles.push_back({ at(layer, i), at(layer + 1, i + 1), at(layer + 1, i) });
     }
   }
   return mesh;

@@ -87,6 +87,35 @@ TEST(AutomaticMeshQuality, SharpEdgesOfLongTriangles)
   EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.4 * before);
 }
 
+// Sides that meet at 51 degrees.
+TEST(AutomaticMeshQuality, BluntEdges)
+{
+  const TriangleMesh clean = Prism(7, 14, 30);
+  TriangleMesh mesh = clean;
+  AddDirectionNoise(mesh, 0.3, 12345);
+  const double before = Measure(mesh, clean).MeanAngle;
+  Automatic(mesh);
+  EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.12 * before);
+}
+
+// Weak noise is strong for thin faces, and folds some. What methods make of such a surface has
+// fatter ones; it is judged with thin ones all the same.
+TEST(AutomaticMeshQuality, ThinFaces)
+{
+  for (const double nearer : { 0.9, 0.95 })
+  {
+    const TriangleMesh clean = Torus(32, nearer);
+    for (const bool alongNormals : { true, false })
+    {
+      TriangleMesh mesh = clean;
+      (alongNormals ? AddNormalNoise : AddDirectionNoise)(mesh, 0.1, 12345);
+      const double before = Measure(mesh, clean).MeanAngle;
+      Automatic(mesh);
+      EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.14 * before) << nearer << alongNormals;
+    }
+  }
+}
+
 // Noise that is larger than triangles are high folds them over. Surfaces without noise have no
 // folds: what is there to judge by is how many of them a chain leaves.
 TEST(AutomaticMeshQuality, UnfoldsSlivers)

@@ -60,3 +60,37 @@ TEST(TrialSample, HighAndLowRings)
   }
   EXPECT_NEAR(Correlation(mesh, clean), -1.0 / 3.0, 1e-9);
 }
+
+// A surface that methods have moved along itself comes back to where the vertices were, and no face
+// is turned over for it.
+TEST(TrialSample, ResampledAsItWas)
+{
+  const TriangleMesh clean = PlaneSheet(20, 7);
+  Execution serial;
+  const MeshSample sample = TakeSample(clean, clean.NumberOfFaces(), serial);
+  const TrialSample trial(sample, serial);
+  for (const double step : { 0.1, 0.7 })
+  {
+    TriangleMesh moved = sample.Mesh;
+    const double length = step * trial.EdgeLength();
+    for (std::size_t v = 0; v < moved.NumberOfVertices(); ++v)
+    {
+      moved.Positions[v] +=
+        length * Vec3(std::cos(2.4 * double(v)), std::sin(2.4 * double(v)), 0.0);
+    }
+    const TriangleMesh resampled = trial.Resampled(moved, serial);
+    std::size_t back = 0;
+    for (std::size_t v = 0; v < moved.NumberOfVertices(); ++v)
+    {
+      back += (resampled.Positions[v] - sample.Mesh.Positions[v]).norm() < 1e-9 ? 1 : 0;
+    }
+    for (std::size_t f = 0; f < moved.NumberOfFaces(); ++f)
+    {
+      EXPECT_GT(resampled.DoubleAreaVector(f).dot(moved.DoubleAreaVector(f)), 0.0) << step;
+    }
+    if (step < 0.5)
+    {
+      EXPECT_EQ(back, moved.NumberOfVertices());
+    }
+  }
+}

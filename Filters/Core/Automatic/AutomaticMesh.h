@@ -59,7 +59,7 @@ bool PlanDenoising(const TriangleMesh& mesh, const AutomaticSettings& settings, 
   Execution& execution);
 
 /**
- * Plans and denoises in place. A mesh that is not noisy, of no faces or of a few, keeps its
+ * Plans and denoises in place. A mesh that is not noisy, or of fewer than 50 faces, keeps its
  * positions to the bit. Positions must be finite. Returns false if the execution asked to stop; the
  * mesh then holds an unfinished state.
  */

@@ -53,15 +53,18 @@ Part CurvatureDiffusion()
   return part;
 }
 
-/// A wide scale, which sorts faces into sides.
-Part Wide(int outer, double relaxation)
+/// Sorts faces into sides that meet at edges sharper than the scale.
+Part Sides(double scale, int outer, double relaxation)
 {
   Part part{ Method::TukeyBilateralNormal, SettingsOf(Method::TukeyBilateralNormal) };
-  part.Settings.NormScale = 1.0;
+  part.Settings.NormScale = scale;
   part.Settings.OuterIterations = outer;
   part.Settings.Vertices.Relaxation = relaxation;
   return part;
 }
+
+/// A scale that leaves no edges but sharp ones.
+Part Wide(int outer, double relaxation) { return Sides(1.0, outer, relaxation); }
 
 /// Smooth normals, which the vertices follow for long: faces turn back that noise has folded over.
 Part Following() { return Bilateral(1.0, 20, 20); }
@@ -115,12 +118,15 @@ const std::vector<CandidateChain>& CandidateChains()
   static const char* const fine = "fine detail under weak noise";
   static const char* const organic = "curved surface";
   static const char* const mixed = "curved surface with edges";
+  static const char* const blunt = "flat sides with blunt edges";
   static const char* const sides = "flat sides with sharp edges";
   static const char* const strong = "flat sides with sharp edges under strong noise";
   static const std::vector<CandidateChain> chains = {
     Chain(SurfaceType::Any, fine, { Bilateral(0.2, 5, 10) }),
     Chain(SurfaceType::Any, fine, { Bilateral(0.35, 5, 10) }, TruthUse::Always),
     Chain(SurfaceType::Any, mixed, { Bilateral(0.5, 10, 10) }, TruthUse::WithoutFolds),
+    Chain(SurfaceType::Any, mixed, { Cosine() }, TruthUse::WithoutFolds),
+    Chain(SurfaceType::Sharp, blunt, { Sides(0.5, 10, 0.2), Narrow() }, TruthUse::Always),
     Chain(SurfaceType::Curved, organic, { Mean(2) }, TruthUse::Always),
     Chain(SurfaceType::Curved, organic, { Mean(5) }),
     Chain(SurfaceType::Curved, organic, { CurvatureDiffusion() }, TruthUse::Always),
@@ -131,12 +137,14 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 15) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 30) }, TruthUse::Always),
     Chain(SurfaceType::Curved, organic, { Wide(10, 0.2), Diffusion(90.0, 3) }),
-    Chain(SurfaceType::Any, mixed, { Cosine() }, TruthUse::WithoutFolds),
+    Chain(SurfaceType::Any, mixed, { Sides(0.35, 30, 0.05) }),
     Chain(SurfaceType::Any, mixed, { Wide(15, 0.05) }),
     Chain(SurfaceType::Any, mixed, { Wide(60, 0.2) }, TruthUse::Always),
     Unfolding({ Wide(10, 0.2), Following() }, TruthUse::IfWhite),
     Unfolding({ Wide(10, 0.2), Following(), Wide(10, 0.2), Following() }, TruthUse::IfWhite),
     Unfolding({ Wide(10, 0.2), Following(), Wide(15, 0.2), Narrow() }, TruthUse::Never),
+    Chain(SurfaceType::Sharp, blunt, { Sides(0.5, 15, 0.05), Narrow() }),
+    Chain(SurfaceType::Sharp, blunt, { Diffusion(40.0, 2), Sides(0.4, 10, 0.05), Narrow() }),
     Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }, TruthUse::Always),
     Chain(SurfaceType::Sharp, strong, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }),
     Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 1), Wide(15, 0.05), Narrow() }),

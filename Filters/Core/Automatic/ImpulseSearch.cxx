@@ -163,7 +163,7 @@ bool FindImpulses(const SpikeSites& sites, Buffer<unsigned char>& marks, Executi
     return false;
   }
   search.Run(1);
-  if (!search.IsScattered())
+  if (!search.HasHeavyTails() || !search.IsScattered())
   {
     return false;
   }

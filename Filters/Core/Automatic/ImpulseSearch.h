@@ -56,7 +56,8 @@ Buffer<unsigned char> FindSpikes(const SpikeSites& sites, Execution& execution);
  *
  * Noise is impulsive if at least 100 count and
  * - spikes are at least 1% of those that count, and a share of LeastVeryFar of them is above 8
- *   times what is usual;
+ *   times what is usual, in the first and in the second round: of Gaussian noise in random
+ *   directions, a few in the first are so by chance;
  * - in the second round, no more beside spikes are spikes than if they were chosen at random, but
  *   for a factor of 1.4 and a standard deviation of chance. The same for the next but one.
  *

@@ -16,7 +16,7 @@ namespace
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 /// If the first surfaces fit no better than that, none will.
 constexpr double LargestMisfit = 0.12;
-constexpr std::size_t FirstSurfaces = 8;
+constexpr std::size_t FirstSurfaces = 12;
 /// The other kind of noise is not tried any more once the first are worse with it by that.
 constexpr double ClearGap = 0.06;
 /// What makes a surface less plausible, see the header.
@@ -24,6 +24,10 @@ constexpr double RoughnessCost = 0.05;
 constexpr double CorrelationCost = 0.05;
 /// What is more correlated is not nearly white.
 constexpr double LargestCorrelation = 0.05;
+/// A surface is taken as the sample has it if that brings M2 nearer by this.
+constexpr double ClearlyNearer = 0.03;
+/// No surface has a larger share of folded edges than the sample by more.
+constexpr double MoreFolds = 0.001;
 /// Folds of a surface cost so much more if that share of the edges of the input is folded.
 constexpr double MoreFoldCost = 2.0;
 constexpr double FoldsOfStrongNoise = 0.2;
@@ -34,6 +38,8 @@ constexpr double FewFolds = 0.03;
 constexpr double ManyFolds = 0.05;
 /// From there on, of 1 if only noise makes as many folds, chains must unfold to make surfaces.
 constexpr double MustUnfold = 0.5;
+/// Of fewer faces, noise is not told from shape.
+constexpr std::size_t Judgeable = 50;
 /// Of fewer faces, many may meet at sharp edges.
 constexpr std::size_t LeastFaces = 500;
 /// The search for the deviation of the noise: from 0 to these mean edge lengths, halved as often.
@@ -110,62 +116,86 @@ double PlausibleSurfaces::DeviationFor(std::size_t quartile, const TriangleMesh&
   return deviation;
 }
 
-/// Adds noise of each kind to a surface and puts it to the test.
-bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
+/// How much noise makes the bends of a surface those of the sample.
+PlausibleSurfaces::Fit PlausibleSurfaces::FitNoise(const TriangleMesh& surface, TrialNoise kind,
+  Execution& execution) const
 {
-  const bool first = this->Surfaces.size() < FirstSurfaces;
-  const Buffer<Vec3> right = FaceNormals(surface, execution);
-  const double folds = this->Sample.FoldedShare(right) *
-    (1.0 + MoreFoldCost * Ramp(this->FoldsBefore, 0.5 * FoldsOfStrongNoise, FoldsOfStrongNoise));
-  const Measures bends = this->Sample.Bends(right, BendFractions);
-  const double colour = CorrelationCost *
-    std::max(0.0, this->Sample.Residual(this->Sample.Mesh(), surface, execution).Correlation);
-  const double roughness =
-    RoughnessCost * bends[Middle] / (this->BendsBefore[Middle] + SofteningAngle);
+  Fit fit;
+  fit.Truth.Kind = kind;
+  fit.Truth.Surface = surface;
+  fit.Truth.Normals = FaceNormals(surface, execution);
+  const Measures bends = this->Sample.Bends(fit.Truth.Normals, BendFractions);
+  fit.Roughness = bends[Middle] / (this->BendsBefore[Middle] + SofteningAngle);
   std::vector<std::size_t> quartiles(1, LowerQuartile);
   if (bends[LowerQuartile] > BentByShape * this->BendsBefore[LowerQuartile])
   {
     quartiles.push_back(UpperQuartile);
   }
+  const Buffer<Vec3> noise = this->Sample.Noise(surface, kind, execution);
+  fit.Difference = Infinite;
+  for (const std::size_t quartile : quartiles)
+  {
+    const double deviation = this->DeviationFor(quartile, surface, noise, execution);
+    const Buffer<Vec3> normals = FaceNormals(Displaced(surface, noise, deviation), execution);
+    const double difference =
+      Difference(this->Sample.Bends(normals, BendFractions), this->BendsBefore);
+    if (difference < fit.Difference)
+    {
+      fit.Difference = difference;
+      fit.Truth.Deviation = deviation;
+    }
+  }
+  return fit;
+}
+
+/// Puts a surface with noise to the test.
+bool PlausibleSurfaces::Judge(Fit fit, double colour, Execution& execution)
+{
+  PlausibleSurface& truth = fit.Truth;
+  const double share = this->Sample.FoldedShare(truth.Normals);
+  if (share > this->FoldsBefore + MoreFolds)
+  {
+    return true;
+  }
+  const double folds = share *
+    (1.0 + MoreFoldCost * Ramp(this->FoldsBefore, 0.5 * FoldsOfStrongNoise, FoldsOfStrongNoise));
+  Measures probes;
+  if (!this->MeasureProbes(this->WithNoise(truth, 1.0, execution), probes, execution))
+  {
+    return false;
+  }
+  const double misfit = 0.5 * (Difference(probes, this->ProbesBefore) + fit.Difference);
+  truth.Misfit = misfit + this->Folding * folds;
+  truth.Sum = misfit + folds + RoughnessCost * fit.Roughness + colour;
+  this->LeastMisfit = std::min(this->LeastMisfit, misfit);
+  double& least = this->LeastSum[static_cast<int>(truth.Kind)];
+  least = std::min(least, truth.Sum);
+  this->Surfaces.push_back(std::move(truth));
+  return true;
+}
+
+/// Adds a surface with noise of each kind.
+bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
+{
+  const bool first = this->Surfaces.size() < FirstSurfaces;
+  const double colour = CorrelationCost *
+    std::max(0.0, this->Sample.Residual(this->Sample.Mesh(), surface, execution).Correlation);
+  const TriangleMesh resampled = this->Sample.Resampled(surface, execution);
   // Of the surfaces before: on this one, either kind has the same chance.
   const double limit = std::min(this->LeastSum[0], this->LeastSum[1]) + ClearGap;
   for (const TrialNoise kind : { TrialNoise::AlongNormals, TrialNoise::RandomDirections })
   {
-    double& least = this->LeastSum[static_cast<int>(kind)];
-    if (!first && least > limit)
+    if (!first && this->LeastSum[static_cast<int>(kind)] > limit)
     {
       continue;
     }
-    PlausibleSurface truth;
-    truth.Kind = kind;
-    const Buffer<Vec3> noise = this->Sample.Noise(surface, kind, execution);
-    double leastDifference = Infinite;
-    for (const std::size_t quartile : quartiles)
-    {
-      const double deviation = this->DeviationFor(quartile, surface, noise, execution);
-      const Buffer<Vec3> normals = FaceNormals(Displaced(surface, noise, deviation), execution);
-      const double difference =
-        Difference(this->Sample.Bends(normals, BendFractions), this->BendsBefore);
-      if (difference < leastDifference)
-      {
-        leastDifference = difference;
-        truth.Deviation = deviation;
-      }
-    }
-    const TriangleMesh noisy = Displaced(surface, noise, truth.Deviation);
-    Measures probes;
-    if (!this->MeasureProbes(noisy, probes, execution))
+    Fit fit = this->FitNoise(surface, kind, execution);
+    Fit other = this->FitNoise(resampled, kind, execution);
+    const bool nearer = other.Difference < fit.Difference - ClearlyNearer;
+    if (!this->Judge(std::move(nearer ? other : fit), colour, execution))
     {
       return false;
     }
-    const double misfit = 0.5 * (Difference(probes, this->ProbesBefore) + leastDifference);
-    truth.Misfit = misfit + this->Folding * folds;
-    truth.Sum = misfit + folds + roughness + colour;
-    this->LeastMisfit = std::min(this->LeastMisfit, misfit);
-    least = std::min(least, truth.Sum);
-    truth.Surface = surface;
-    truth.Normals = right;
-    this->Surfaces.push_back(std::move(truth));
   }
   return true;
 }
@@ -190,7 +220,7 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
   this->FoldsBefore = this->Sample.FoldedShare(normals);
   this->Folding = normals.size() < LeastFaces ? 0.0 : Ramp(this->FoldsBefore, FewFolds, ManyFolds);
   // If so many faces are in line with their neighbours, there is no noise.
-  if (this->BendsBefore[LowerQuartile] < SofteningAngle)
+  if (this->BendsBefore[LowerQuartile] < SofteningAngle || this->Sample.Count() < Judgeable)
   {
     return true;
   }

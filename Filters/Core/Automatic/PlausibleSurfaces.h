@@ -15,6 +15,10 @@
  *
  *   misfit = (mean |log(m_T / m_y)| over m in M1 + the same over M2) / 2.
  *
+ * Methods move vertices along the surface too. Thin faces become fatter, and noise bends those less
+ * than it did those of y: if the vertices of T moved back along T to where those of y are, see
+ * TrialSample::Resampled, bring M2 nearer by 0.03, that is T.
+ *
  * M1 are the mean angles between the mesh and what four quick chains make of it, each with each,
  * M2 quantiles (10, 25, 50, 75, 90%) of the angles between adjacent faces. Noise that is left in T
  * is not told from shape by that, so that smooth T are preferred: to the misfit is added the share
@@ -24,9 +28,9 @@
  * positive. What chains that smooth much make is no T at all if that correlation is above 0.05.
  *
  * Surfaces without noise have hardly any folded edges (adjacent faces turned by 120 degrees or
- * more). From 1% on, chains for folds are worth a trial. If 5% of those of y are, it is noise that
- * folds them, and from 4% on chains that leave them so make no T; from 10% to 20%, what those of T
- * cost rises to three times their share.
+ * more), and what has more of them than y is no T. From 1% on, chains for folds are worth a trial.
+ * If 5% of those of y are, it is noise that folds them, and from 4% on chains that leave them so
+ * make no T; from 10% to 20%, what those of T cost rises to three times their share.
  */
 
 #ifndef SurfaceDenoising_PlausibleSurfaces_h
@@ -91,8 +95,17 @@ public:
 private:
   using Measures = std::vector<double>;
 
+  struct Fit
+  {
+    PlausibleSurface Truth; ///< without Misfit and Sum
+    double Difference;      ///< that of M2
+    double Roughness;       ///< the median bend over that of the sample
+  };
+
   bool MakesTruth(const CandidateChain& chain) const;
   bool Add(const TriangleMesh& surface, Execution& execution);
+  Fit FitNoise(const TriangleMesh& surface, TrialNoise kind, Execution& execution) const;
+  bool Judge(Fit fit, double colour, Execution& execution);
   double DeviationFor(std::size_t quartile, const TriangleMesh& surface, const Buffer<Vec3>& noise,
     Execution& execution) const;
   bool MeasureProbes(const TriangleMesh& mesh, Measures& angles, Execution& execution) const;

@@ -20,6 +20,10 @@ constexpr double Degrees = 180.0 / 3.14159265358979323846;
 /// in the surface, where it is still.
 constexpr double AlongSurface = 0.9;
 
+/// Vertices that turn a face over go back half way as often, and then all the way.
+constexpr int HalvingRounds = 8;
+constexpr int StandingRounds = 4;
+
 /// The angle between unit vectors at this distance.
 double AngleAt(double distance) { return 2.0 * std::asin(std::min(1.0, 0.5 * distance)) * Degrees; }
 
@@ -134,6 +138,42 @@ TrialResidual TrialSample::Residual(const TriangleMesh& mesh, const TriangleMesh
     residual.Correlation = products / squares;
   }
   return residual;
+}
+
+TriangleMesh TrialSample::Resampled(const TriangleMesh& surface, Execution& execution) const
+{
+  Buffer<Vec3> steps = VertexAreaVectors(surface, this->Stars, execution);
+  for (std::size_t v = 0; v < steps.size(); ++v)
+  {
+    const Vec3 normal = steps[v].stableNormalized();
+    const Vec3 step = this->Sample.Mesh.Positions[v] - surface.Positions[v];
+    steps[v] = step - normal.dot(step) * normal;
+  }
+  TriangleMesh moved = Displaced(surface, steps, 1.0);
+  Buffer<unsigned char> turned(steps.size());
+  for (int round = 0; round < HalvingRounds + StandingRounds; ++round)
+  {
+    std::fill(turned.begin(), turned.end(), 0);
+    for (std::size_t f = 0; f < surface.NumberOfFaces(); ++f)
+    {
+      if (!(moved.DoubleAreaVector(f).dot(surface.DoubleAreaVector(f)) > 0.0))
+      {
+        for (const Index v : surface.Triangles[f])
+        {
+          turned[v] = 1;
+        }
+      }
+    }
+    for (std::size_t v = 0; v < turned.size(); ++v)
+    {
+      if (turned[v])
+      {
+        steps[v] *= round < HalvingRounds ? 0.5 : 0.0;
+        moved.Positions[v] = surface.Positions[v] + steps[v];
+      }
+    }
+  }
+  return moved;
 }
 
 Buffer<Vec3> TrialSample::Noise(const TriangleMesh& surface, TrialNoise kind,

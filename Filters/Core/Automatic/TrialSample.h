@@ -60,6 +60,13 @@ public:
     Execution& execution) const;
 
   /**
+   * A surface with the same faces, with its vertices moved along it to where those of the sample
+   * are, so that faces have the shapes that they have in the sample, and not those that a method
+   * gave them. Where faces would turn over, their vertices go less far, by halves.
+   */
+  TriangleMesh Resampled(const TriangleMesh& surface, Execution& execution) const;
+
+  /**
    * Gaussian displacements of deviation 1 for the vertices of a surface with the faces of the
    * sample. They depend on the place of a vertex in the order of distances from the middle alone,
    * and turn with the surface. Those in random directions are 0.9 times as large along the surface.
