@@ -6,6 +6,7 @@
 #include "ProgressShare.h"
 
 #include <cmath>
+#include <map>
 
 namespace SurfaceDenoising
 {
@@ -19,6 +20,8 @@ constexpr double Tolerance = 0.01;
 /// Truths that are worse than the best by more are left out.
 constexpr double LargestGap = 0.04;
 constexpr std::size_t MostTruths = 3;
+/// Chains for surfaces of one type make surfaces that are alike, and would outvote the others.
+constexpr std::size_t MostOfType = 2;
 /// What a folded edge adds to the mean angle of faces, in degrees: an edge for one and a half
 /// faces.
 constexpr double FoldAngle = 250.0;
@@ -187,22 +190,29 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
     errors[k] = this->Surfaces.IsWorthATrial(*this->Candidates[k]) ? 0.0 : Infinite;
   }
   double weights = 0.0;
-  for (std::size_t t = 0; t < std::min(MostTruths, truths.size()); ++t)
+  std::size_t tried = 0;
+  std::map<SurfaceType, std::size_t> ofType;
+  for (const PlausibleSurface& truth : truths)
   {
-    const double gap = truths[t].Sum - truths[0].Sum;
-    if (gap > LargestGap)
+    const double gap = truth.Sum - truths[0].Sum;
+    if (gap > LargestGap || tried == MostTruths)
     {
       break;
+    }
+    if (ofType[truth.Type]++ >= MostOfType)
+    {
+      continue;
     }
     const double limit = Hopeless * *std::min_element(errors.begin(), errors.end());
     const double weight = std::exp(-gap / Tolerance);
     const double part = 0.4 / double(MostTruths);
-    ProgressShare share(execution, 0.6 + double(t) * part, 0.6 + double(t + 1) * part);
-    if (!this->Try(truths[t], strength, limit, weight, errors, share))
+    ProgressShare share(execution, 0.6 + double(tried) * part, 0.6 + double(tried + 1) * part);
+    if (!this->Try(truth, strength, limit, weight, errors, share))
     {
       return false;
     }
     weights += weight;
+    ++tried;
   }
   result.Best = std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
   result.Error = errors[result.Best] / weights;

@@ -10,7 +10,8 @@
  * again. What a chain makes of this mesh is compared with T.
  *
  * The error is that on y as far as T and the noise are like the real ones. Of many T, see
- * PlausibleSurfaces, the three with the least sum s count, each by exp(-s / 0.01).
+ * PlausibleSurfaces, the three with the least sum s count, no more than two of them of chains for
+ * the same type of surface, each by exp(-s / 0.01).
  *
  * One thing can be seen on y itself: the share of folded edges, which are wrong for certain if
  * noise has made them (3 to 5% and more of y). What a chain leaves of them on y beyond what it

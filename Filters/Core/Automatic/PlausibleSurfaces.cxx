@@ -175,7 +175,7 @@ bool PlausibleSurfaces::Judge(Fit fit, double colour, Execution& execution)
 }
 
 /// Adds a surface with noise of each kind.
-bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
+bool PlausibleSurfaces::Add(const TriangleMesh& surface, SurfaceType type, Execution& execution)
 {
   const bool first = this->Surfaces.size() < FirstSurfaces;
   const double colour = CorrelationCost *
@@ -192,7 +192,9 @@ bool PlausibleSurfaces::Add(const TriangleMesh& surface, Execution& execution)
     Fit fit = this->FitNoise(surface, kind, execution);
     Fit other = this->FitNoise(resampled, kind, execution);
     const bool nearer = other.Difference < fit.Difference - ClearlyNearer;
-    if (!this->Judge(std::move(nearer ? other : fit), colour, execution))
+    Fit& nearest = nearer ? other : fit;
+    nearest.Truth.Type = type;
+    if (!this->Judge(std::move(nearest), colour, execution))
     {
       return false;
     }
@@ -251,7 +253,7 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
     {
       continue;
     }
-    if (!this->Add(surface, share))
+    if (!this->Add(surface, candidates[k]->Type, share))
     {
       return false;
     }

@@ -55,6 +55,7 @@ inline double LogarithmOfAngles(double angle, double over)
 
 struct PlausibleSurface
 {
+  SurfaceType Type = SurfaceType::Any; ///< what the chain that made it is for
   TrialNoise Kind = TrialNoise::AlongNormals;
   double Misfit = 0.0; ///< with the folds, if noise makes folds
   double Sum = 0.0;    ///< misfit and the rest: less is more plausible
@@ -103,7 +104,7 @@ private:
   };
 
   bool MakesTruth(const CandidateChain& chain) const;
-  bool Add(const TriangleMesh& surface, Execution& execution);
+  bool Add(const TriangleMesh& surface, SurfaceType type, Execution& execution);
   Fit FitNoise(const TriangleMesh& surface, TrialNoise kind, Execution& execution) const;
   bool Judge(Fit fit, double colour, Execution& execution);
   double DeviationFor(std::size_t quartile, const TriangleMesh& surface, const Buffer<Vec3>& noise,
