@@ -134,7 +134,6 @@ TEST(SpikeRepair, LeavesGaussianNoiseAlone)
   }
 }
 
-// What is usual differs from place to place.
 // Amplitudes along the normals have heavy tails if directions are random, but not as heavy. By
 // chance some look so at first.
 TEST(SpikeRepair, LeavesNoiseInRandomDirectionsAlone)
@@ -154,6 +153,7 @@ TEST(SpikeRepair, LeavesNoiseInRandomDirectionsAlone)
   EXPECT_LE(found, 5) << "of 48";
 }
 
+// What is usual differs from place to place.
 TEST(SpikeRepair, FindsImpulsesOnRoughShapes)
 {
   const TriangleMesh clean = RoughTorus();

@@ -221,7 +221,8 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
   this->BendsBefore = this->Sample.Bends(normals, BendFractions);
   this->FoldsBefore = this->Sample.FoldedShare(normals);
   this->Folding = normals.size() < LeastFaces ? 0.0 : Ramp(this->FoldsBefore, FewFolds, ManyFolds);
-  // If so many faces are in line with their neighbours, there is no noise.
+  // If so many faces are in line with their neighbours, there is no noise; of a few faces, it
+  // cannot be told.
   if (this->BendsBefore[LowerQuartile] < SofteningAngle || this->Sample.Count() < Judgeable)
   {
     return true;

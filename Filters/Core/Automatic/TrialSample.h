@@ -62,7 +62,8 @@ public:
   /**
    * A surface with the same faces, with its vertices moved along it to where those of the sample
    * are, so that faces have the shapes that they have in the sample, and not those that a method
-   * gave them. Where faces would turn over, their vertices go less far, by halves.
+   * gave them. Where faces would turn over, their vertices go less far, by halves, and at last not
+   * at all.
    */
   TriangleMesh Resampled(const TriangleMesh& surface, Execution& execution) const;
 
