@@ -52,6 +52,23 @@ inline SurfaceDenoising::TriangleMesh Torus(int n, double nearer = 0.0)
   return mesh;
 }
 
+/// A coarse torus with regular bumps, so high and so wide in mean edge lengths.
+inline SurfaceDenoising::TriangleMesh BumpyTorus(double height, double width)
+{
+  using namespace SurfaceDenoising;
+  TriangleMesh mesh = Torus(16);
+  Execution serial;
+  const double edge = EdgeLengthOf(mesh);
+  const Buffer<Vec3> normals = VertexAreaVectors(mesh, VertexStars(mesh), serial);
+  for (std::size_t v = 0; v < normals.size(); ++v)
+  {
+    const Vec3 phase = 2.0 * 3.14159265358979323846 / (width * edge) * mesh.Positions[v];
+    const double wave = std::sin(phase[0]) * std::sin(phase[1] + 1.0) * std::cos(phase[2]);
+    mesh.Positions[v] += height * edge * wave * normals[v].normalized();
+  }
+  return mesh;
+}
+
 /// The sides of a prism, open at both ends: each is cut into so many squares of two triangles.
 inline SurfaceDenoising::TriangleMesh Prism(int sides, int cuts, int layers)
 {
@@ -77,6 +94,35 @@ inline SurfaceDenoising::TriangleMesh Prism(int sides, int cuts, int layers)
     {
       mesh.Triangles.push_back({ at(layer, i), at(layer, i + 1), at(layer + 1, i + 1) });
       mesh.Triangles.push_back({ at(layer, i), at(layer + 1, i + 1), at(layer + 1, i) });
+    }
+  }
+  return mesh;
+}
+
+/// A square with ridges and valleys, of n x n points that are moved from their places in a grid by
+/// up to so many steps.
+inline SurfaceDenoising::TriangleMesh Ridges(int n, double jitter)
+{
+  using namespace SurfaceDenoising;
+  TriangleMesh mesh;
+  const auto fraction = [](double x) { return x - std::floor(x) - 0.5; };
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const int k = 1 + i * n + j;
+      const double x = (i + 2.0 * jitter * fraction(0.6180339887498949 * k)) / n;
+      const double y = (j + 2.0 * jitter * fraction(0.7548776662466927 * k)) / n;
+      mesh.Positions.push_back(Vec3(x, y, 0.15 * std::abs(std::sin(6.0 * x + 2.0 * y))));
+    }
+  }
+  for (int i = 0; i + 1 < n; ++i)
+  {
+    for (int j = 0; j + 1 < n; ++j)
+    {
+      const Index corner = Index(i * n + j);
+      mesh.Triangles.push_back({ corner, corner + n, corner + n + 1 });
+      mesh.Triangles.push_back({ corner, corner + n + 1, corner + 1 });
     }
   }
   return mesh;

@@ -116,6 +116,21 @@ TEST(AutomaticMeshQuality, ThinFaces)
   }
 }
 
+// Quick chains leave rough surfaces here, which say that nothing is better than these chains. The
+// others have a say as well.
+TEST(AutomaticMeshQuality, RidgesOfIrregularTriangles)
+{
+  for (const double jitter : { 0.4, 0.5 })
+  {
+    const TriangleMesh clean = Ridges(48, jitter);
+    TriangleMesh mesh = clean;
+    AddDirectionNoise(mesh, 0.1, 12345);
+    const double before = Measure(mesh, clean).MeanAngle;
+    Automatic(mesh);
+    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.32 * before) << jitter;
+  }
+}
+
 // Noise that is larger than triangles are high folds them over. Surfaces without noise have no
 // folds: what is there to judge by is how many of them a chain leaves.
 TEST(AutomaticMeshQuality, UnfoldsSlivers)

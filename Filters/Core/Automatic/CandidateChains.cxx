@@ -137,7 +137,7 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 15) }),
     Chain(SurfaceType::Curved, organic, { Diffusion(90.0, 30) }, TruthUse::Always),
     Chain(SurfaceType::Curved, organic, { Wide(10, 0.2), Diffusion(90.0, 3) }),
-    Chain(SurfaceType::Any, mixed, { Sides(0.35, 30, 0.05) }),
+    Chain(SurfaceType::Any, mixed, { Sides(0.35, 30, 0.05) }, TruthUse::Always),
     Chain(SurfaceType::Any, mixed, { Wide(15, 0.05) }),
     Chain(SurfaceType::Any, mixed, { Wide(60, 0.2) }, TruthUse::Always),
     Unfolding({ Wide(10, 0.2), Following() }, TruthUse::IfWhite),

@@ -16,31 +16,33 @@ namespace
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 /// Truths whose sums differ by this differ by a factor of e in what they count.
-constexpr double Tolerance = 0.01;
+constexpr double Tolerance = 0.025;
 /// Truths that are worse than the best by more are left out.
-constexpr double LargestGap = 0.04;
-constexpr std::size_t MostTruths = 3;
+constexpr double LargestGap = 0.075;
 /// Chains for surfaces of one type make surfaces that are alike, and would outvote the others.
 constexpr std::size_t MostOfType = 2;
+constexpr std::size_t MostTruths = 3 * MostOfType;
+/// Shape that is lost, relative to the noise, is an error that large.
+constexpr double ShapeError = 0.4;
+/// What is added to the logarithm of the error if what is removed is correlated as noise is not.
+constexpr double ColourCost = 0.75;
 /// What a folded edge adds to the mean angle of faces, in degrees: an edge for one and a half
 /// faces.
 constexpr double FoldAngle = 250.0;
-/// Candidates with errors this much larger than the least are not tried on further truths.
-constexpr double Hopeless = 1.4;
+/// Candidates with means this much larger than the least are not tried on further truths.
+constexpr double Hopeless = 0.5;
 /// A gain below this is not certain: the error must fall to this share of that of the input.
 constexpr double LargestError = 0.9;
 /// If noise and detail can be confused, the same for any other truth than those that count.
 constexpr double LargestWitnessError = 0.7;
 /// What makes a gain doubtful, see TrialResult::Certain.
-constexpr double MisfitCost = 10.0;
+constexpr double MisfitCost = 6.0;
 constexpr double SizeCost = 1.0;
 constexpr double CorrelationCost = 4.0;
 /// Misfit that chance makes with N faces, times the square root of N.
 constexpr double ChanceMisfit = 0.5;
 constexpr double WeakAngle = 20.0;
 constexpr double StrongAngle = 35.0;
-
-double ErrorOf(double angle, double before) { return std::exp(LogarithmOfAngles(angle, before)); }
 
 }
 
@@ -62,79 +64,114 @@ double ChainTrials::AngleTo(const PlausibleSurface& truth, const TriangleMesh& m
     std::max(0.0, folds - this->Sample.FoldedShare(normals));
 }
 
-bool ChainTrials::AngleAfter(std::size_t candidate, const PlausibleSurface& truth,
-  const TriangleMesh& noisy, double& angle, Execution& execution)
+/// Runs a candidate on the input, if that was not done before.
+bool ChainTrials::Know(std::size_t candidate, Execution& execution)
 {
-  TriangleMesh result = noisy;
-  if (!RunChain(result, this->Candidates[candidate]->Steps, execution))
+  ChainOutcome& outcome = this->OnInput[candidate];
+  if (!outcome.Known)
   {
-    return false;
-  }
-  if (!(this->Surfaces.FoldsAreNoise() > 0.0))
-  {
-    angle = this->AngleTo(truth, result, 0.0, execution);
-    return true;
-  }
-  double& folds = this->FoldsAfter[candidate];
-  if (std::isnan(folds))
-  {
-    TriangleMesh real = this->Sample.Mesh();
-    if (!RunChain(real, this->Candidates[candidate]->Steps, execution))
+    TriangleMesh surface = this->Sample.Mesh();
+    if (!RunChain(surface, this->Candidates[candidate]->Steps, execution))
     {
       return false;
     }
-    folds = this->Sample.FoldedShare(FaceNormals(real, execution));
+    outcome = this->Surfaces.OutcomeOf(surface, execution);
   }
-  angle = this->AngleTo(truth, result, folds, execution);
   return true;
 }
 
-/// Adds the errors that the candidates below a limit leave for a truth.
-bool ChainTrials::Try(const PlausibleSurface& truth, double strength, double limit, double weight,
-  Measures& errors, Execution& execution)
+/// Runs a candidate on a truth with noise.
+bool ChainTrials::Try(std::size_t candidate, const PlausibleSurface& truth,
+  const TriangleMesh& noisy, Trial& trial, Execution& execution)
+{
+  TriangleMesh surface = noisy;
+  if (!RunChain(surface, this->Candidates[candidate]->Steps, execution))
+  {
+    return false;
+  }
+  trial.Removed = this->Sample.Residual(noisy, surface, execution);
+  // Folds of the input count only if they are noise.
+  if (this->Surfaces.FoldsAreNoise() > 0.0 && !this->Know(candidate, execution))
+  {
+    return false;
+  }
+  trial.Angle = this->AngleTo(truth, surface, this->OnInput[candidate].Folds, execution);
+  return true;
+}
+
+/// What a candidate removes from the input beyond what it removed in a trial.
+bool ChainTrials::Compare(std::size_t candidate, const Trial& trial, Surplus& surplus,
+  Execution& execution)
+{
+  if (!this->Know(candidate, execution))
+  {
+    return false;
+  }
+  const TrialResidual& found = this->OnInput[candidate].Removed;
+  const TrialResidual& expected = trial.Removed;
+  surplus.Correlation = std::max(0.0, found.Correlation - expected.Correlation);
+  if (found.Size > expected.Size)
+  {
+    surplus.Size = found.Size / expected.Size - 1.0;
+    surplus.Deviation = std::sqrt(found.Size * found.Size - expected.Size * expected.Size);
+  }
+  return true;
+}
+
+/// Drops candidates without hope.
+void ChainTrials::Drop(std::vector<Score>& scores)
+{
+  const double limit = std::min_element(scores.begin(), scores.end())->Mean() + Hopeless;
+  for (Score& score : scores)
+  {
+    score.Dropped = score.Mean() > limit;
+  }
+}
+
+/// Tries the candidates that were not dropped on a truth.
+bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double weight,
+  std::vector<Score>& scores, Execution& execution)
 {
   const TriangleMesh noisy = this->Surfaces.WithNoise(truth, strength, execution);
   const double before = this->AngleTo(truth, noisy, this->Surfaces.ShareOfFolds(), execution);
-  for (std::size_t k = 0; k < errors.size(); ++k)
+  const std::size_t count = scores.size();
+  const double part = 0.5 / double(count);
+  std::vector<Trial> trials(count);
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const double part = 1.0 / double(errors.size());
     ProgressShare share(execution, double(k) * part, double(k + 1) * part);
-    double angle = 0.0;
-    if (errors[k] > limit)
+    if (scores[k].Dropped)
     {
-      errors[k] = Infinite;
+      continue;
     }
-    else if (this->AngleAfter(k, truth, noisy, angle, share))
-    {
-      errors[k] += weight * ErrorOf(angle, before);
-    }
-    else
+    if (!this->Try(k, truth, noisy, trials[k], share))
     {
       return false;
     }
+    scores[k].Weight += weight;
+    scores[k].Errors += weight * LogarithmOfAngles(trials[k].Angle, before);
   }
-  return true;
-}
-
-/// What a candidate removes from the input that it does not remove from a truth with noise.
-bool ChainTrials::Surplus(std::size_t candidate, const PlausibleSurface& truth, double& surplus,
-  Execution& execution)
-{
-  const TriangleMesh noisy = this->Surfaces.WithNoise(truth, 1.0, execution);
-  TriangleMesh foreseen = noisy;
-  TriangleMesh real = this->Sample.Mesh();
-  if (!RunChain(foreseen, this->Candidates[candidate]->Steps, execution) ||
-    !RunChain(real, this->Candidates[candidate]->Steps, execution))
+  Drop(scores);
+  for (std::size_t k = 0; this->Doubt > 0.0 && k < count; ++k)
   {
-    return false;
+    ProgressShare share(execution, 0.5 + double(k) * part, 0.5 + double(k + 1) * part);
+    Surplus surplus;
+    if (scores[k].Dropped)
+    {
+      continue;
+    }
+    // Removed from as much noise as the input has, as far as what is removed is proportional to it.
+    trials[k].Removed.Size /= strength;
+    if (!this->Compare(k, trials[k], surplus, share))
+    {
+      return false;
+    }
+    const double error = std::exp(LogarithmOfAngles(trials[k].Angle, before));
+    const double lost = ShapeError * std::sqrt(this->Doubt) * surplus.Deviation / truth.Deviation;
+    scores[k].Costs += weight *
+      (std::log(std::hypot(error, lost) / error) + ColourCost * this->Doubt * surplus.Correlation);
   }
-  const TrialResidual expected = this->Sample.Residual(noisy, foreseen, execution);
-  const TrialResidual found = this->Sample.Residual(this->Sample.Mesh(), real, execution);
-  surplus = CorrelationCost * std::max(0.0, found.Correlation - expected.Correlation);
-  if (found.Size > expected.Size)
-  {
-    surplus += SizeCost * (found.Size / expected.Size - 1.0);
-  }
+  Drop(scores);
   return true;
 }
 
@@ -153,12 +190,12 @@ bool ChainTrials::AskWitness(const PlausibleSurface& witness, double strength, T
     {
       continue;
     }
-    double angle = 0.0;
-    if (!this->AngleAfter(next, witness, noisy, angle, execution))
+    Trial trial;
+    if (!this->Try(next, witness, noisy, trial, execution))
     {
       return false;
     }
-    errors[next] = ErrorOf(angle, before);
+    errors[next] = std::exp(LogarithmOfAngles(trial.Angle, before));
     if (k == 0 && errors[next] < LargestWitnessError)
     {
       return true;
@@ -169,33 +206,21 @@ bool ChainTrials::AskWitness(const PlausibleSurface& witness, double strength, T
   return true;
 }
 
-bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution)
+/// Tries the candidates on the truths that count, and finds the best of them.
+bool ChainTrials::Choose(double strength, TrialResult& result, Execution& execution)
 {
-  result = TrialResult();
-  ProgressShare finding(execution, 0.0, 0.6);
-  if (!this->Surfaces.Find(this->Candidates, finding))
+  std::vector<Score> scores(this->Candidates.size());
+  for (std::size_t k = 0; k < scores.size(); ++k)
   {
-    return false;
+    scores[k].Dropped = !this->Surfaces.IsWorthATrial(*this->Candidates[k]);
   }
-  this->FoldsAfter = this->Surfaces.FoldsAfter();
-  const std::size_t count = this->Candidates.size();
   const std::vector<PlausibleSurface>& truths = this->Surfaces.BySum();
-  if (truths.empty() || count == 0 || !this->Surfaces.AnyFits())
-  {
-    return execution.Proceed(1.0);
-  }
-  Measures errors(count, 0.0);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    errors[k] = this->Surfaces.IsWorthATrial(*this->Candidates[k]) ? 0.0 : Infinite;
-  }
-  double weights = 0.0;
   std::size_t tried = 0;
   std::map<SurfaceType, std::size_t> ofType;
   for (const PlausibleSurface& truth : truths)
   {
     const double gap = truth.Sum - truths[0].Sum;
-    if (gap > LargestGap || tried == MostTruths)
+    if (gap > LargestGap)
     {
       break;
     }
@@ -203,38 +228,70 @@ bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution
     {
       continue;
     }
-    const double limit = Hopeless * *std::min_element(errors.begin(), errors.end());
-    const double weight = std::exp(-gap / Tolerance);
-    const double part = 0.4 / double(MostTruths);
-    ProgressShare share(execution, 0.6 + double(tried) * part, 0.6 + double(tried + 1) * part);
-    if (!this->Try(truth, strength, limit, weight, errors, share))
+    const double part = 1.0 / double(MostTruths);
+    ProgressShare share(execution, double(tried) * part, double(tried + 1) * part);
+    if (!this->TryAll(truth, strength, std::exp(-gap / Tolerance), scores, share))
     {
       return false;
     }
-    weights += weight;
     ++tried;
   }
-  result.Best = std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
-  result.Error = errors[result.Best] / weights;
-  // The truth that fits best may be one that is not smooth. Then what is best for it is safer.
-  const PlausibleSurface& witness = this->Surfaces.BestFitting();
-  const double angleBefore = this->Sample.MeanAngle(
-    FaceNormals(this->Surfaces.WithNoise(truths[0], strength, execution), execution),
-    truths[0].Normals, execution);
-  const double doubt = (1.0 - this->Surfaces.FoldsAreNoise()) *
-    std::clamp((StrongAngle - angleBefore) / (StrongAngle - WeakAngle), 0.0, 1.0);
-  double cost = 0.0;
-  if (doubt > 0.0)
+  const auto best = std::min_element(scores.begin(), scores.end());
+  result.Best = std::size_t(best - scores.begin());
+  result.Error = best->Error();
+  return true;
+}
+
+/// d of TrialResult::Certain.
+double ChainTrials::DoubtAbout(const PlausibleSurface& truth, double strength,
+  Execution& execution) const
+{
+  const TriangleMesh noisy = this->Surfaces.WithNoise(truth, strength, execution);
+  const double angle =
+    this->Sample.MeanAngle(FaceNormals(noisy, execution), truth.Normals, execution);
+  return (1.0 - this->Surfaces.FoldsAreNoise()) *
+    std::clamp((StrongAngle - angle) / (StrongAngle - WeakAngle), 0.0, 1.0);
+}
+
+bool ChainTrials::Run(double strength, TrialResult& result, Execution& execution)
+{
+  result = TrialResult();
+  ProgressShare finding(execution, 0.0, 0.6);
+  ProgressShare choosing(execution, 0.6, 1.0);
+  if (!this->Surfaces.Find(this->Candidates, finding))
   {
+    return false;
+  }
+  this->OnInput = this->Surfaces.Outcomes();
+  const std::vector<PlausibleSurface>& truths = this->Surfaces.BySum();
+  if (truths.empty() || this->Candidates.empty() || !this->Surfaces.AnyFits())
+  {
+    return execution.Proceed(1.0);
+  }
+  this->Doubt = this->DoubtAbout(truths[0], strength, execution);
+  if (!this->Choose(strength, result, choosing))
+  {
+    return false;
+  }
+  double cost = 0.0;
+  if (this->Doubt > 0.0)
+  {
+    // The truth that fits best may be one that is not smooth. Then what is best for it is safer.
+    const PlausibleSurface& witness = this->Surfaces.BestFitting();
+    const TriangleMesh noisy = this->Surfaces.WithNoise(truths[0], 1.0, execution);
+    Trial trial;
+    Surplus surplus;
     if (!this->AskWitness(witness, strength, result, execution) ||
-      !this->Surplus(result.Best, truths[0], cost, execution))
+      !this->Try(result.Best, truths[0], noisy, trial, execution) ||
+      !this->Compare(result.Best, trial, surplus, execution))
     {
       return false;
     }
     const double chance = ChanceMisfit / std::sqrt(double(this->Sample.Count()));
-    cost += MisfitCost * std::max(0.0, witness.Misfit - chance);
+    cost = MisfitCost * std::max(0.0, witness.Misfit - chance) + SizeCost * surplus.Size +
+      CorrelationCost * surplus.Correlation;
   }
-  result.Certain = result.Error < LargestError * std::exp(-doubt * cost);
+  result.Certain = result.Error < LargestError * std::exp(-this->Doubt * cost);
   return execution.Proceed(1.0);
 }
 

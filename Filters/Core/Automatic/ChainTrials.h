@@ -9,9 +9,17 @@
  * surface T that the noisy mesh y may have been is taken for the truth, and noise is added to it
  * again. What a chain makes of this mesh is compared with T.
  *
- * The error is that on y as far as T and the noise are like the real ones. Of many T, see
- * PlausibleSurfaces, the three with the least sum s count, no more than two of them of chains for
- * the same type of surface, each by exp(-s / 0.01).
+ * The error e is that on y as far as T and the noise are like the real ones. Of many T, see
+ * PlausibleSurfaces, the two with the least sum s of those that chains for each type of surface
+ * made count, each by exp(-s / 0.025), if s is at most 0.075 above the least. The logarithms of the
+ * errors are averaged, so that no truth decides alone. What a chain removes from y beyond what it
+ * removes from T with noise is shape, whose loss T did not foretell. With r the root mean square of
+ * what is removed, v how much larger r^2 is for y, c how much more correlated what is removed is
+ * (TrialResidual), both at least 0, and n the deviation of the noise, log(e) becomes
+ *
+ *   log(e^2 + 0.4^2 d v / n^2) / 2 + 0.75 d c,
+ *
+ * with d as in TrialResult::Certain: what strong noise hides is no shape.
  *
  * One thing can be seen on y itself: the share of folded edges, which are wrong for certain if
  * noise has made them (3 to 5% and more of y). What a chain leaves of them on y beyond what it
@@ -33,15 +41,15 @@ namespace SurfaceDenoising
 struct TrialResult
 {
   std::size_t Best = 0; ///< number of the candidate with the least error
-  /// The mean angle to the true normals that it leaves over that of the input: the mean over the
-  /// truths. Infinite if no truth fits at all.
+  /// The mean angle to the true normals that it leaves over that of the input: the geometric mean
+  /// over the truths. Infinite if no truth fits at all.
   double Error = std::numeric_limits<double>::infinity();
   /**
    * True if the error is certain to be less than that of the input. Detail that fits no truth can
    * be taken for weak noise, hardly for strong noise or if noise folds faces: with d from 1 if the
    * noise turns faces by 20 degrees on average to 0 if by 35, Error must be below
    *
-   *   0.9 exp(-d (10 m + z + 4 c)).
+   *   0.9 exp(-d (6 m + z + 4 c)).
    *
    * m is the least misfit, less 0.5 / sqrt(number of faces), which chance may have made. What the
    * candidate removes from the input is put beside what it removes from the best truth with noise:
@@ -66,23 +74,57 @@ public:
   bool Run(double strength, TrialResult& result, Execution& execution);
 
 private:
-  using Measures = std::vector<double>;
+  /// What a candidate does to a truth with noise.
+  struct Trial
+  {
+    double Angle = 0.0; ///< mean angle to the normals of the truth, with the cost of folds
+    TrialResidual Removed;
+  };
+
+  /// By how much what is removed from the input is larger and more correlated, 0 if it is less.
+  struct Surplus
+  {
+    double Size = 0.0; ///< the ratio less 1
+    double Correlation = 0.0;
+    double Deviation = 0.0; ///< the root of the difference of the squares, a length
+  };
+
+  /// What the trials say of a candidate, weighted sums.
+  struct Score
+  {
+    double Weight = 0.0;
+    double Errors = 0.0; ///< of the logarithms of the errors
+    double Costs = 0.0;  ///< of what is added to them for lost shape
+    bool Dropped = false;
+
+    double Mean() const
+    {
+      return this->Dropped ? std::numeric_limits<double>::infinity()
+                           : (this->Errors + this->Costs) / this->Weight;
+    }
+    double Error() const { return std::exp(this->Errors / this->Weight); }
+    bool operator<(const Score& other) const { return this->Mean() < other.Mean(); }
+  };
 
   double AngleTo(const PlausibleSurface& truth, const TriangleMesh& mesh, double folds,
     Execution& execution) const;
-  bool AngleAfter(std::size_t candidate, const PlausibleSurface& truth, const TriangleMesh& noisy,
-    double& angle, Execution& execution);
+  bool Know(std::size_t candidate, Execution& execution);
+  bool Try(std::size_t candidate, const PlausibleSurface& truth, const TriangleMesh& noisy,
+    Trial& trial, Execution& execution);
+  bool Compare(std::size_t candidate, const Trial& trial, Surplus& surplus, Execution& execution);
+  static void Drop(std::vector<Score>& scores);
+  bool TryAll(const PlausibleSurface& truth, double strength, double weight,
+    std::vector<Score>& scores, Execution& execution);
+  bool Choose(double strength, TrialResult& result, Execution& execution);
+  double DoubtAbout(const PlausibleSurface& truth, double strength, Execution& execution) const;
   bool AskWitness(const PlausibleSurface& witness, double strength, TrialResult& result,
     Execution& execution);
-  bool Surplus(std::size_t candidate, const PlausibleSurface& truth, double& surplus,
-    Execution& execution);
-  bool Try(const PlausibleSurface& truth, double strength, double limit, double weight,
-    Measures& errors, Execution& execution);
 
   const TrialSample& Sample;
   const std::vector<const CandidateChain*>& Candidates;
   PlausibleSurfaces Surfaces;
-  Measures FoldsAfter; ///< see PlausibleSurfaces; filled in as candidates are run
+  std::vector<ChainOutcome> OnInput; ///< filled in as candidates are run
+  double Doubt = 0.0;                ///< d of TrialResult::Certain
 };
 
 }

@@ -175,11 +175,11 @@ bool PlausibleSurfaces::Judge(Fit fit, double colour, Execution& execution)
 }
 
 /// Adds a surface with noise of each kind.
-bool PlausibleSurfaces::Add(const TriangleMesh& surface, SurfaceType type, Execution& execution)
+bool PlausibleSurfaces::Add(const TriangleMesh& surface, SurfaceType type, double correlation,
+  Execution& execution)
 {
   const bool first = this->Surfaces.size() < FirstSurfaces;
-  const double colour = CorrelationCost *
-    std::max(0.0, this->Sample.Residual(this->Sample.Mesh(), surface, execution).Correlation);
+  const double colour = CorrelationCost * std::max(0.0, correlation);
   const TriangleMesh resampled = this->Sample.Resampled(surface, execution);
   // Of the surfaces before: on this one, either kind has the same chance.
   const double limit = std::min(this->LeastSum[0], this->LeastSum[1]) + ClearGap;
@@ -215,7 +215,7 @@ bool PlausibleSurfaces::MakesTruth(const CandidateChain& chain) const
 bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidates,
   Execution& execution)
 {
-  this->FoldsOfCandidates.assign(candidates.size(), std::nan(""));
+  this->OutcomesOfCandidates.assign(candidates.size(), ChainOutcome());
   const TriangleMesh& mesh = this->Sample.Mesh();
   const Buffer<Vec3> normals = FaceNormals(mesh, execution);
   this->BendsBefore = this->Sample.Bends(normals, BendFractions);
@@ -248,13 +248,13 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
     {
       return false;
     }
-    this->FoldsOfCandidates[k] = this->Sample.FoldedShare(FaceNormals(surface, share));
-    if (candidates[k]->Truth == TruthUse::IfWhite &&
-      this->Sample.Residual(mesh, surface, share).Correlation > LargestCorrelation)
+    this->OutcomesOfCandidates[k] = this->OutcomeOf(surface, share);
+    const double correlation = this->OutcomesOfCandidates[k].Removed.Correlation;
+    if (candidates[k]->Truth == TruthUse::IfWhite && correlation > LargestCorrelation)
     {
       continue;
     }
-    if (!this->Add(surface, candidates[k]->Type, share))
+    if (!this->Add(surface, candidates[k]->Type, correlation, share))
     {
       return false;
     }
@@ -262,6 +262,15 @@ bool PlausibleSurfaces::Find(const std::vector<const CandidateChain*>& candidate
   std::stable_sort(this->Surfaces.begin(), this->Surfaces.end(),
     [](const PlausibleSurface& a, const PlausibleSurface& b) { return a.Sum < b.Sum; });
   return true;
+}
+
+ChainOutcome PlausibleSurfaces::OutcomeOf(const TriangleMesh& surface, Execution& execution) const
+{
+  ChainOutcome outcome;
+  outcome.Known = true;
+  outcome.Folds = this->Sample.FoldedShare(FaceNormals(surface, execution));
+  outcome.Removed = this->Sample.Residual(this->Sample.Mesh(), surface, execution);
+  return outcome;
 }
 
 TriangleMesh PlausibleSurfaces::WithNoise(const PlausibleSurface& truth, double strength,

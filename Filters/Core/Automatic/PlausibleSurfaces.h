@@ -53,6 +53,14 @@ inline double LogarithmOfAngles(double angle, double over)
   return std::log((angle + SofteningAngle) / (over + SofteningAngle));
 }
 
+/// What a chain makes of the sample.
+struct ChainOutcome
+{
+  bool Known = false; ///< the chain has been run
+  double Folds = 0.0; ///< share of the edges that are folded afterwards
+  TrialResidual Removed;
+};
+
 struct PlausibleSurface
 {
   SurfaceType Type = SurfaceType::Any; ///< what the chain that made it is for
@@ -86,8 +94,9 @@ public:
 
   /// The share of the edges of the sample that are folded.
   double ShareOfFolds() const { return this->FoldsBefore; }
-  /// What it is after each candidate; NaN for those that have not been run.
-  const std::vector<double>& FoldsAfter() const { return this->FoldsOfCandidates; }
+  /// For each candidate; those that make no truths have not been run.
+  const std::vector<ChainOutcome>& Outcomes() const { return this->OutcomesOfCandidates; }
+  ChainOutcome OutcomeOf(const TriangleMesh& surface, Execution& execution) const;
   /// False for a chain for folds if hardly an edge of the sample is folded.
   bool IsWorthATrial(const CandidateChain& chain) const;
   /// 0 if clean meshes have as many folds, 1 if only noise makes as many.
@@ -104,7 +113,7 @@ private:
   };
 
   bool MakesTruth(const CandidateChain& chain) const;
-  bool Add(const TriangleMesh& surface, SurfaceType type, Execution& execution);
+  bool Add(const TriangleMesh& surface, SurfaceType type, double correlation, Execution& execution);
   Fit FitNoise(const TriangleMesh& surface, TrialNoise kind, Execution& execution) const;
   bool Judge(Fit fit, double colour, Execution& execution);
   double DeviationFor(std::size_t quartile, const TriangleMesh& surface, const Buffer<Vec3>& noise,
@@ -116,7 +125,7 @@ private:
   Measures BendsBefore;  ///< M2 of the sample
   double FoldsBefore = 0.0;
   double Folding = 0.0;
-  Measures FoldsOfCandidates;
+  std::vector<ChainOutcome> OutcomesOfCandidates;
   std::vector<PlausibleSurface> Surfaces;
   double LeastMisfit;
   double LeastSum[2]; ///< per kind of noise
