@@ -41,20 +41,6 @@ TEST(AutomaticMesh, LeavesDetailAlone)
   }
 }
 
-// Of bumps that are not as high, noise can be told, but not by chains that remove the bumps too.
-TEST(AutomaticMesh, KeepsLowBumps)
-{
-  const TriangleMesh clean = BumpyTorus(0.35, 6.0);
-  for (const int seed : { 1, 2, 3 })
-  {
-    TriangleMesh mesh = clean;
-    AddNormalNoise(mesh, 0.05, seed);
-    const double before = Measure(mesh, clean).MeanAngle;
-    Automatic(mesh);
-    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.75 * before) << seed;
-  }
-}
-
 TEST(AutomaticMesh, LeavesCleanShapesAlone)
 {
   for (const AutomaticShape& shape : AutomaticShapes())

@@ -131,6 +131,20 @@ TEST(AutomaticMeshQuality, RidgesOfIrregularTriangles)
   }
 }
 
+// Of low bumps, noise can be told, but not by chains that remove the bumps as well.
+TEST(AutomaticMeshQuality, KeepsLowBumps)
+{
+  const TriangleMesh clean = BumpyTorus(0.35, 6.0);
+  for (const int seed : { 1, 2, 3 })
+  {
+    TriangleMesh mesh = clean;
+    AddNormalNoise(mesh, 0.05, seed);
+    const double before = Measure(mesh, clean).MeanAngle;
+    Automatic(mesh);
+    EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.75 * before) << seed;
+  }
+}
+
 // Noise that is larger than triangles are high folds them over. Surfaces without noise have no
 // folds: what is there to judge by is how many of them a chain leaves.
 TEST(AutomaticMeshQuality, UnfoldsSlivers)
