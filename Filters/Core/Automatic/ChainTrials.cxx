@@ -22,14 +22,14 @@ constexpr double LargestGap = 0.075;
 /// Chains for surfaces of one type make surfaces that are alike, and would outvote the others.
 constexpr std::size_t MostOfType = 2;
 constexpr std::size_t MostTruths = 3 * MostOfType;
-/// Shape that is lost, relative to the noise, is an error that large.
+/// Lost shape as large as the noise is an error of that.
 constexpr double ShapeError = 0.4;
 /// What is added to the logarithm of the error if what is removed is correlated as noise is not.
 constexpr double ColourCost = 0.75;
 /// What a folded edge adds to the mean angle of faces, in degrees: an edge for one and a half
 /// faces.
 constexpr double FoldAngle = 250.0;
-/// Candidates with means this much larger than the least are not tried on further truths.
+/// Candidates whose mean logarithm of the error is larger than the least by more are dropped.
 constexpr double Hopeless = 0.5;
 /// A gain below this is not certain: the error must fall to this share of that of the input.
 constexpr double LargestError = 0.9;

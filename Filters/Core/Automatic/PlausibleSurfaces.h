@@ -96,6 +96,7 @@ public:
   double ShareOfFolds() const { return this->FoldsBefore; }
   /// For each candidate; those that make no truths have not been run.
   const std::vector<ChainOutcome>& Outcomes() const { return this->OutcomesOfCandidates; }
+  /// That of a chain that has made this surface of the sample.
   ChainOutcome OutcomeOf(const TriangleMesh& surface, Execution& execution) const;
   /// False for a chain for folds if hardly an edge of the sample is folded.
   bool IsWorthATrial(const CandidateChain& chain) const;
