@@ -9,6 +9,7 @@
 #ifndef NoisyClouds_h
 #define NoisyClouds_h
 
+#include "Noise.h"
 #include "Types.h"
 
 #include <cmath>
@@ -139,6 +140,21 @@ static inline void AddNoise(SurfaceDenoising::Buffer<SurfaceDenoising::Vec3>& ve
       const double length = std::sqrt(-2.0 * std::log(uniform()));
       v[k] += size * length * std::cos(6.283185307179586 * uniform());
     }
+  }
+}
+
+/// The product of a normally distributed length and a random direction: of the parts along normals
+/// the deviation is size, too, but the kurtosis is 5.4 instead of 3.
+static inline void AddHeavyTailedNoise(SurfaceDenoising::Buffer<SurfaceDenoising::Vec3>& vectors,
+  double size, std::uint64_t seed)
+{
+  SurfaceDenoising::NoiseParameters parameters;
+  parameters.Deviation = std::sqrt(3.0) * size;
+  parameters.Seed = seed;
+  const SurfaceDenoising::NoiseSource source(parameters, vectors.size());
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+  {
+    vectors[i] += source.Amplitude(i) * source.Direction(i);
   }
 }
 

@@ -33,6 +33,13 @@ Buffer<Vec3> Noisy(const SurfaceCloud& cloud, double level, std::uint64_t seed)
   return positions;
 }
 
+Buffer<Vec3> NoisyWithHeavyTails(const SurfaceCloud& cloud, double level, std::uint64_t seed)
+{
+  Buffer<Vec3> positions = cloud.Positions;
+  AddHeavyTailedNoise(positions, level * cloud.Spacing, seed);
+  return positions;
+}
+
 /// A sphere with waves of a tenth of its radius, some six spacings from crest to trough: organic.
 SurfaceCloud WavyCloud(int count)
 {
@@ -65,13 +72,15 @@ CloudNoise Estimate(const Buffer<Vec3>& points)
 }
 
 /// Estimates over the truth are within these bounds for all levels.
-void ExpectRatios(const SurfaceCloud& cloud, double least, double most)
+void ExpectRatios(const SurfaceCloud& cloud, double least, double most,
+  const std::vector<double>& levels = { 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1.0 },
+  decltype(Noisy)* noisy = Noisy)
 {
-  for (const double level : { 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1.0 })
+  for (const double level : levels)
   {
     for (const std::uint64_t seed : { 1, 2 })
     {
-      const CloudNoise noise = Estimate(Noisy(cloud, level, seed));
+      const CloudNoise noise = Estimate(noisy(cloud, level, seed));
       const double ratio = noise.Deviation / (level * cloud.Spacing);
       EXPECT_GT(ratio, least) << level;
       EXPECT_LT(ratio, most) << level;
@@ -89,6 +98,15 @@ TEST(CloudNoise, KnownNoiseOnACube) { ExpectRatios(CubeCloud(22), 0.95, 1.16); }
 TEST(CloudNoise, KnownNoiseOnAWedge) { ExpectRatios(WedgeCloud(45, 30), 0.9, 1.12); }
 
 TEST(CloudNoise, KnownNoiseOnWaves) { ExpectRatios(WavyCloud(3000), 0.8, 1.16); }
+
+/// Places with little noise are more frequent under heavy tails.
+TEST(CloudNoise, KnownNoiseWithHeavyTails)
+{
+  const std::vector<double> levels = { 0.1, 0.2, 0.4 };
+  ExpectRatios(SphereCloud(3000), 0.85, 1.1, levels, NoisyWithHeavyTails);
+  ExpectRatios(CubeCloud(22), 0.85, 1.3, levels, NoisyWithHeavyTails);
+  ExpectRatios(WedgeCloud(45, 30), 0.85, 1.2, levels, NoisyWithHeavyTails);
+}
 
 /// The nearest points of a point lie on a curve, in the plane of which noise does not show.
 TEST(CloudNoise, KnownNoiseOfPointsInRows)

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace SurfaceDenoising
 {
@@ -158,6 +159,35 @@ std::vector<Candidate> CandidatesFor(double level, std::size_t widening,
 constexpr std::size_t RoughParts = 3;
 constexpr std::size_t FineParts = 10;
 
+/// The first of those nearly alike with the least risk, or their number if all are worse than
+/// leaving the points alone.
+std::size_t LeastRisk(const std::vector<StepStatistics>& steps, double deviation, double& least)
+{
+  least = 1.0;
+  std::size_t best = steps.size();
+  for (std::size_t k = 0; k < steps.size(); ++k)
+  {
+    // Risks are not that exact: of those nearly alike the first, gentlest one.
+    const double risk = steps[k].Risk(deviation);
+    if (risk < 0.97 * least - 0.0005)
+    {
+      least = risk;
+      best = k;
+    }
+  }
+  return best;
+}
+
+/// What a method that suits removes tells the noise better than fits to a few points, which take
+/// edges for noise and miss what is in tails. Where only gentle methods suit, what is removed may
+/// be detail: that is no reason to believe in more noise.
+double Revised(double deviation, double strength, const StepStatistics& steps)
+{
+  constexpr double gentle = 0.45;
+  const double most = steps.Derivative < gentle ? 1.2 : 1.0;
+  return deviation * std::clamp(strength * steps.RemovedNoise() / deviation, 0.8, most);
+}
+
 /// Places of outliers on the surface of the denoised points; those farther away than reach stay.
 void PullOutliers(PointCloud& cloud, const Buffer<Index>& outliers, const PointCloud& clean,
   double reach, AutomaticCloudReport& report)
@@ -211,34 +241,44 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, const CloudNoise& noise, 
     choice.Reason = "There are too few points to tell noise from shape.";
     return choice;
   }
-  const std::vector<Candidate> left = CandidatesFor(level, noise.Widening, asked);
+  const std::vector<Candidate> candidates = CandidatesFor(level, noise.Widening, asked);
+  std::vector<StepStatistics> steps;
   std::vector<double> risks;
-  for (const Candidate& candidate : left)
+  for (const Candidate& candidate : candidates)
   {
-    risks.push_back(rough.Of(candidate.Settings, execution));
+    steps.push_back(rough.StepsOf(candidate.Settings, execution));
+    risks.push_back(steps.back().Risk(deviation));
   }
-  // What is far behind on a small sample need not be tried on a larger one.
-  const double limit = 0.1 + 1.3 * std::max(0.0, *std::min_element(risks.begin(), risks.end()));
-  const bool known = rough.NumberOfPoints() == points.size();
-  const CloudRisk fine(points, noise, deviation, known ? 1 : FineParts, execution);
-  const char* kind = "";
-  double least = 1.0; // leaving the points alone
-  for (std::size_t k = 0; k < left.size() && execution.Proceed(0.0); ++k)
+  if (rough.NumberOfPoints() < points.size())
   {
-    double risk = risks[k];
-    if (!known)
+    // What is far behind on a small sample need not be tried on a larger one.
+    const double limit = 0.1 + 1.3 * std::max(0.0, *std::min_element(risks.begin(), risks.end()));
+    const CloudRisk fine(points, noise, deviation, FineParts, execution);
+    for (std::size_t k = 0; k < steps.size() && execution.Proceed(0.0); ++k)
     {
-      risk = risk < limit ? fine.Of(left[k].Settings, execution) : 1.0;
+      if (risks[k] < limit)
+      {
+        steps[k] = fine.StepsOf(candidates[k].Settings, execution);
+      }
+      else
+      {
+        steps[k].Squares = std::numeric_limits<double>::infinity();
+      }
     }
-    // Risks are not that exact: of those nearly alike the first, gentlest one.
-    if (risk < 0.97 * least - 0.0005)
-    {
-      least = risk;
-      kind = left[k].Kind;
-      choice.Nothing = false;
-      choice.Method = left[k].Method;
-      choice.Settings = left[k].Settings;
-    }
+  }
+  double least = 1.0;
+  std::size_t best = LeastRisk(steps, deviation, least);
+  if (best < steps.size())
+  {
+    best = LeastRisk(steps, Revised(deviation, strength, steps[best]), least);
+  }
+  const char* kind = "";
+  if (best < steps.size())
+  {
+    kind = candidates[best].Kind;
+    choice.Nothing = false;
+    choice.Method = candidates[best].Method;
+    choice.Settings = candidates[best].Settings;
   }
   choice.Remaining = std::sqrt(std::max(0.0, least));
   char reason[200];

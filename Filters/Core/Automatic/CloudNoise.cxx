@@ -76,6 +76,19 @@ double DeviationOf(const LocalFits& fits, double spacingOfPoints)
   return blend(weak, notWeak, ramp(few / spacing, 0.25, 0.6));
 }
 
+/// Noise with heavy tails is stronger than its quieter places show: by this factor, 1 for normally
+/// distributed noise. Where shape is more than noise, tails are those of shape.
+double TailFactor(const LocalFits& fits, double deviation)
+{
+  constexpr double normal = 3.15;
+  constexpr double slope = 0.25;
+  constexpr double most = 1.5; // more is not noise of all points
+  const LocalFits::Residuals residuals = fits.OfMany();
+  const double share = deviation / std::max(residuals.Deviation, deviation);
+  return 1.0 +
+    slope * std::min(1.0, 1.5 * share * share) * std::clamp(residuals.Kurtosis - normal, 0.0, most);
+}
+
 /// The deviation from these fits, or from wide ones where they follow curves.
 void Measure(const Buffer<Vec3>& points, const Buffer<unsigned char>& leftOut,
   const LocalFits& fits, CloudNoise& noise, Execution& execution)
@@ -83,7 +96,12 @@ void Measure(const Buffer<Vec3>& points, const Buffer<unsigned char>& leftOut,
   LocalFits wide;
   const bool isWide = !fits.AreOfSurface() && FitWidely(points, leftOut, wide, execution);
   noise.Widening = isWide ? wide.Widening : 1;
-  noise.Deviation = DeviationOf(isWide ? wide : fits, noise.Spacing);
+  const LocalFits& used = isWide ? wide : fits;
+  noise.Deviation = DeviationOf(used, noise.Spacing);
+  if (noise.Deviation > 0.0)
+  {
+    noise.Deviation *= TailFactor(used, noise.Deviation);
+  }
 }
 
 /// Marks outliers, see the header.

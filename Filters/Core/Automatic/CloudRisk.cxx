@@ -118,7 +118,8 @@ Buffer<Vec3> CloudRisk::Run(const PointDenoisingSettings& settings, Buffer<Vec3>
                                                            : Buffer<Vec3>();
 }
 
-double CloudRisk::Of(const PointDenoisingSettings& settings, Execution& execution) const
+StepStatistics CloudRisk::StepsOf(const PointDenoisingSettings& settings,
+  Execution& execution) const
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const Buffer<Vec3>& before = this->Sample;
@@ -135,7 +136,7 @@ double CloudRisk::Of(const PointDenoisingSettings& settings, Execution& executio
   const Buffer<Vec3> minus = plus.empty() ? Buffer<Vec3>() : movedBy(-this->Step);
   if (minus.empty() || this->Judged == 0)
   {
-    return none;
+    return { none, none };
   }
   auto along = [&](const Buffer<Vec3>& after, std::size_t i)
   { return this->Directions[i].dot(after[i] - before[i]); };
@@ -149,8 +150,7 @@ double CloudRisk::Of(const PointDenoisingSettings& settings, Execution& executio
   const double derivatives = OrderedSum(execution, before.size(), 0.0,
     [&](std::size_t i) { return (along(plus, i) - along(minus, i)) / (2.0 * this->Step); });
   const double judged = static_cast<double>(this->Judged);
-  const double noise = this->Deviation * this->Deviation;
-  return squares / judged / noise + 2.0 * derivatives / judged - 1.0;
+  return { squares / judged, derivatives / judged };
 }
 
 }

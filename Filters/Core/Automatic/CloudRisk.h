@@ -28,8 +28,32 @@
 #include "Automatic/CloudNoise.h"
 #include "Points/PointDenoising.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace SurfaceDenoising
 {
+
+/// What the risk of a method is made of.
+struct StepStatistics
+{
+  double Squares;    ///< mean d_i^2, an area. NaN if unknown
+  double Derivative; ///< D
+
+  /// R over the square of this deviation, a length: the share of the squared noise that is left.
+  /// Below 0 for what is better than the estimate can tell.
+  double Risk(double deviation) const
+  {
+    return this->Squares / (deviation * deviation) + 2.0 * this->Derivative - 1.0;
+  }
+
+  /// The deviation of the noise if nothing but noise is removed: a linear method that does that has
+  /// mean d_i^2 = sigma^2 (1 - D). More if surface is removed, too.
+  double RemovedNoise() const
+  {
+    return std::sqrt(this->Squares / (1.0 - std::clamp(this->Derivative, 0.0, 0.8)));
+  }
+};
 
 class CloudRisk
 {
@@ -56,10 +80,14 @@ public:
 
   std::size_t NumberOfPoints() const { return this->Sample.size(); }
 
-  /// R over sigma^2: the share of the squared noise that the method leaves. Below 0 for what is
-  /// better than the estimate can tell. NaN if nothing can be judged or the execution asked to
-  /// stop.
-  double Of(const PointDenoisingSettings& settings, Execution& execution) const;
+  /// The steps of a method. NaN if nothing can be judged or the execution asked to stop.
+  StepStatistics StepsOf(const PointDenoisingSettings& settings, Execution& execution) const;
+
+  /// Its risk under noise of the deviation.
+  double Of(const PointDenoisingSettings& settings, Execution& execution) const
+  {
+    return this->StepsOf(settings, execution).Risk(this->Deviation);
+  }
 
 private:
   Buffer<Vec3> Run(const PointDenoisingSettings& settings, Buffer<Vec3> positions,

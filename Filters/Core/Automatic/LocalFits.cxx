@@ -7,6 +7,7 @@
 #include "KdTree.h"
 #include "Metrics.h"
 #include "Points/PlaneFit.h"
+#include "RobustScale.h"
 
 #include <Eigen/Cholesky>
 
@@ -134,6 +135,7 @@ void FitSizes(const std::vector<Vec3>& around, std::size_t i, LocalFits& fits)
   fits.Some[i] = deviation(some);
   fits.Many[i] = many.Deviation;
   fits.Kurtoses[i] = few.Kurtosis;
+  fits.ManyKurtoses[i] = many.Kurtosis;
 }
 
 void Prepare(LocalFits& fits, std::size_t count)
@@ -142,6 +144,7 @@ void Prepare(LocalFits& fits, std::size_t count)
   fits.Some.assign(count, -1.0);
   fits.Many.assign(count, -1.0);
   fits.Kurtoses.assign(count, 3.0);
+  fits.ManyKurtoses.assign(count, 3.0);
 }
 
 }
@@ -177,6 +180,32 @@ bool LocalFits::AreOfNoise() const
   const double number = static_cast<double>(this->Widening * FewNeighbors + 1);
   return sum >= LeastKurtosis * static_cast<double>(kurtoses.size()) &&
     Percentile(kurtoses, 0.25) >= 3.0 - QuartileSpread / std::sqrt(number);
+}
+
+LocalFits::Residuals LocalFits::OfMany() const
+{
+  Buffer<double> deviations;
+  for (const double deviation : this->Many)
+  {
+    if (deviation >= 0.0)
+    {
+      deviations.push_back(deviation);
+    }
+  }
+  if (deviations.empty())
+  {
+    return { 0.0, 3.0 };
+  }
+  const double median = Median(deviations);
+  Buffer<double> kurtoses;
+  for (std::size_t i = 0; i < this->Many.size(); ++i)
+  {
+    if (this->Many[i] >= 0.0 && this->Many[i] <= median)
+    {
+      kurtoses.push_back(this->ManyKurtoses[i]);
+    }
+  }
+  return { median, Median(kurtoses) };
 }
 
 LocalFits FitEverywhere(const Buffer<Vec3>& points, const CompressedRows& nearest,
