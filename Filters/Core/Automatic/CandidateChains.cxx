@@ -37,6 +37,14 @@ Part Diffusion(double degrees, int outer)
   return part;
 }
 
+/// Takes the worst of strong noise away; few steps of the vertices leave features to what follows.
+Part Calming()
+{
+  Part part = Diffusion(90.0, 1);
+  part.Settings.VertexIterations = 3;
+  return part;
+}
+
 Part Mean(int outer)
 {
   Part part{ Method::MeanNormal, SettingsOf(Method::MeanNormal) };
@@ -147,7 +155,8 @@ const std::vector<CandidateChain>& CandidateChains()
     Chain(SurfaceType::Sharp, blunt, { Diffusion(40.0, 2), Sides(0.4, 10, 0.05), Narrow() }),
     Chain(SurfaceType::Sharp, sides, { Wide(15, 0.05), Narrow() }, TruthUse::Always),
     Chain(SurfaceType::Sharp, strong, { Wide(10, 0.2), Wide(15, 0.05), Narrow() }),
-    Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 1), Wide(15, 0.05), Narrow() }),
+    Chain(SurfaceType::Sharp, strong, { Calming(), Wide(15, 0.05), Narrow() }),
+    Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 1), Wide(30, 0.05), Narrow() }),
     Chain(SurfaceType::Sharp, strong, { Diffusion(90.0, 2), Wide(30, 0.05), Narrow() },
       TruthUse::Always),
   };
