@@ -83,7 +83,7 @@ double TailFactor(const LocalFits& fits, double deviation)
   constexpr double normal = 3.15;
   constexpr double slope = 0.25;
   constexpr double most = 1.5; // more is not noise of all points
-  const LocalFits::Residuals residuals = fits.OfMany();
+  const LocalFits::Residuals residuals = fits.ResidualsOfMany();
   const double share = deviation / std::max(residuals.Deviation, deviation);
   return 1.0 +
     slope * std::min(1.0, 1.5 * share * share) * std::clamp(residuals.Kurtosis - normal, 0.0, most);

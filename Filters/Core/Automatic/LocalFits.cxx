@@ -182,7 +182,7 @@ bool LocalFits::AreOfNoise() const
     Percentile(kurtoses, 0.25) >= 3.0 - QuartileSpread / std::sqrt(number);
 }
 
-LocalFits::Residuals LocalFits::OfMany() const
+LocalFits::Residuals LocalFits::ResidualsOfMany() const
 {
   Buffer<double> deviations;
   for (const double deviation : this->Many)

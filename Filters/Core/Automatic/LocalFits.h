@@ -66,7 +66,7 @@ struct LocalFits
   };
 
   /// Of the largest fits, which have enough residuals to show it. 0 and 3 if there are none.
-  Residuals OfMany() const;
+  Residuals ResidualsOfMany() const;
 };
 
 /// Around every point, with w = 1; the graph has the 40 nearest others. Those that are left out are
