@@ -62,6 +62,21 @@ TEST(AutomaticCloudQuality, SeesHeavyTails)
   }
 }
 
+/// What is removed tells more of the noise than fits to a few points: smoother methods follow.
+TEST(AutomaticCloudQuality, MeasuresNoiseByWhatItRemoves)
+{
+  const SurfaceCloud clean = SphereCloud(1500);
+  for (const double noise : { 0.3, 0.4 })
+  {
+    PointCloud cloud;
+    cloud.Positions = clean.Positions;
+    AddNoise(cloud.Positions, noise * clean.Spacing, 3);
+    const double before = MeanDistance(clean, cloud.Positions);
+    const AutomaticCloudReport report = Denoise(cloud);
+    EXPECT_LT(MeanDistance(clean, cloud.Positions), 0.22 * before) << report.Choice.Reason;
+  }
+}
+
 /// Rows ten times as far apart as their points: what is nearest is a row, unless noise is strong
 /// enough to hide it.
 TEST(AutomaticCloudQuality, DenoisesPointsInRows)
