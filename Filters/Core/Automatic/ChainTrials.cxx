@@ -31,6 +31,10 @@ constexpr double ColourCost = 0.75;
 constexpr double FoldAngle = 250.0;
 /// Candidates whose mean logarithm of the error is larger than the least by more are dropped.
 constexpr double Hopeless = 0.5;
+
+/// Of a logarithm of the error beyond that of the best for a truth: what is worse by half is bad
+/// enough for one truth to say so.
+constexpr double LargestRegret = 0.4;
 /// A gain below this is not certain: the error must fall to this share of that of the input.
 constexpr double LargestError = 0.9;
 /// If noise and detail can be confused, the same for any other truth than those that count.
@@ -121,7 +125,12 @@ bool ChainTrials::Compare(std::size_t candidate, const Trial& trial, Surplus& su
 /// Drops candidates without hope.
 void ChainTrials::Drop(std::vector<Score>& scores)
 {
-  const double limit = std::min_element(scores.begin(), scores.end())->Mean() + Hopeless;
+  double least = Infinite;
+  for (const Score& score : scores)
+  {
+    least = std::min(least, score.Mean());
+  }
+  const double limit = least + Hopeless;
   for (Score& score : scores)
   {
     score.Dropped = score.Mean() > limit;
@@ -137,6 +146,7 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
   const std::size_t count = scores.size();
   const double part = 0.5 / double(count);
   std::vector<Trial> trials(count);
+  std::vector<double> costs(count, Infinite); // logarithms of errors, and what is added to them
   for (std::size_t k = 0; k < count; ++k)
   {
     ProgressShare share(execution, double(k) * part, double(k + 1) * part);
@@ -148,8 +158,9 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
     {
       return false;
     }
+    costs[k] = LogarithmOfAngles(trials[k].Angle, before);
     scores[k].Weight += weight;
-    scores[k].Errors += weight * LogarithmOfAngles(trials[k].Angle, before);
+    scores[k].Errors += weight * costs[k];
   }
   Drop(scores);
   for (std::size_t k = 0; this->Doubt > 0.0 && k < count; ++k)
@@ -166,12 +177,24 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
     {
       return false;
     }
-    const double error = std::exp(LogarithmOfAngles(trials[k].Angle, before));
+    const double error = std::exp(costs[k]);
     const double lost = ShapeError * std::sqrt(this->Doubt) * surplus.Deviation / truth.Deviation;
-    scores[k].Costs += weight *
-      (std::log(std::hypot(error, lost) / error) + ColourCost * this->Doubt * surplus.Correlation);
+    const double cost =
+      std::log(std::hypot(error, lost) / error) + ColourCost * this->Doubt * surplus.Correlation;
+    scores[k].Costs += weight * cost;
+    costs[k] += cost;
   }
   Drop(scores);
+  double best = Infinite;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    best = scores[k].Dropped ? best : std::min(best, costs[k]);
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    scores[k].Regrets +=
+      scores[k].Dropped ? 0.0 : weight * std::min(LargestRegret, costs[k] - best);
+  }
   return true;
 }
 
@@ -236,7 +259,8 @@ bool ChainTrials::Choose(double strength, TrialResult& result, Execution& execut
     }
     ++tried;
   }
-  const auto best = std::min_element(scores.begin(), scores.end());
+  const auto best = std::min_element(scores.begin(), scores.end(),
+    [](const Score& a, const Score& b) { return a.Regret() < b.Regret(); });
   result.Best = std::size_t(best - scores.begin());
   result.Error = best->Error();
   return true;

@@ -11,8 +11,10 @@
  *
  * The error e is that on y as far as T and the noise are like the real ones. Of many T, see
  * PlausibleSurfaces, the two with the least sum s of those that chains for each type of surface
- * made count, each by exp(-s / 0.025), if s is at most 0.075 above the least. The logarithms of the
- * errors are averaged, so that no truth decides alone. What a chain removes from y beyond what it
+ * made count, each by exp(-s / 0.025), if s is at most 0.075 above the least. Averaged is how much
+ * larger the logarithm of the error is than that of the best chain for T, but 0.4 at most: a
+ * truncated loss, so that no truth decides alone, as one that is too smooth would, on which smooth
+ * chains are many times better than others. What a chain removes from y beyond what it
  * removes from T with noise is shape, whose loss T did not foretell. With r the root mean square of
  * what is removed, v how much larger r^2 is for y, c how much more correlated what is removed is
  * (TrialResidual), both at least 0, and n the deviation of the noise, log(e) becomes
@@ -93,8 +95,9 @@ private:
   struct Score
   {
     double Weight = 0.0;
-    double Errors = 0.0; ///< of the logarithms of the errors
-    double Costs = 0.0;  ///< of what is added to them for lost shape
+    double Errors = 0.0;  ///< of the logarithms of the errors
+    double Costs = 0.0;   ///< of what is added to them for lost shape
+    double Regrets = 0.0; ///< of what the best for a truth is better by, truncated
     bool Dropped = false;
 
     double Mean() const
@@ -103,7 +106,10 @@ private:
                            : (this->Errors + this->Costs) / this->Weight;
     }
     double Error() const { return std::exp(this->Errors / this->Weight); }
-    bool operator<(const Score& other) const { return this->Mean() < other.Mean(); }
+    double Regret() const
+    {
+      return this->Dropped ? std::numeric_limits<double>::infinity() : this->Regrets / this->Weight;
+    }
   };
 
   double AngleTo(const PlausibleSurface& truth, const TriangleMesh& mesh, double folds,
