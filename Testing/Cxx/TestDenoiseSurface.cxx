@@ -105,7 +105,7 @@ void TestMeshes(int& failures)
 
   // A curved surface gets other methods, or those that were asked for.
   const std::string forCubes = filter->GetChosenMethods();
-  auto sphere = NoisySphere(30, 0.01);
+  auto sphere = NoisySphere(22, 0.015);
   output = Run(filter, sphere, seen);
   CHECK(Roughness(output) < 0.6 * Roughness(sphere));
   CHECK(std::abs(Figure(output, "Volume Change")) < 0.01);
@@ -120,7 +120,7 @@ void TestMeshes(int& failures)
   CHECK(PointDistance(Run(filter, cube, seen), cube) == 0.0);
   CHECK(filter->GetChosenMethods() == "None");
   filter->SetStrength(1.0);
-  auto clean = NoisySphere(30, 0.0);
+  auto clean = NoisySphere(22, 0.0);
   Run(filter, clean, seen);
   CHECK(filter->GetMeanDisplacement() < 0.02);
   CHECK(PointDistance(Run(filter, NoisyBox(14, 0.0), seen), NoisyBox(14, 0.0)) < 0.02);
@@ -143,7 +143,7 @@ void TestPolygons(int& failures)
   vtkPolyData* output = Run(filter, quads, seen);
   CHECK(output->GetNumberOfPolys() == 24 * 24 && PointDistance(output, quads) > 0.01);
 
-  auto sphere = NoisySphere(26, 0.01);
+  auto sphere = NoisySphere(20, 0.015);
   vtkNew<vtkStripper> stripper;
   stripper->SetInputData(sphere);
   stripper->Update();
@@ -260,7 +260,7 @@ void TestThreads(int& failures)
 {
   for (const bool cloud : { false, true })
   {
-    vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(800, 0.03) : NoisySphere(26, 0.01);
+    vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(800, 0.03) : NoisySphere(20, 0.015);
     vtkNew<vtkDenoiseSurface> one;
     vtkNew<vtkDenoiseSurface> many;
     one->SetNumberOfThreads(1);
