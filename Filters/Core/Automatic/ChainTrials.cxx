@@ -31,7 +31,6 @@ constexpr double ColourCost = 0.75;
 constexpr double FoldAngle = 250.0;
 /// Candidates whose mean logarithm of the error is larger than the least by more are dropped.
 constexpr double Hopeless = 0.5;
-
 /// Of a logarithm of the error beyond that of the best for a truth: what is worse by half is bad
 /// enough for one truth to say so.
 constexpr double LargestRegret = 0.4;

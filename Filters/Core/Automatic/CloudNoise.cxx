@@ -25,14 +25,7 @@ namespace
 double ReadLower(const Buffer<double>& deviations, std::size_t neighbors, double share,
   double deviate)
 {
-  Buffer<double> found;
-  for (const double deviation : deviations)
-  {
-    if (deviation >= 0.0)
-    {
-      found.push_back(deviation);
-    }
-  }
+  Buffer<double> found = LocalFits::Known(deviations);
   if (found.empty())
   {
     return 0.0;
@@ -149,14 +142,7 @@ constexpr double LittleNoise = 0.1;
 /// looked for.
 bool HasHeavyTails(const Buffer<double>& heights)
 {
-  Buffer<double> known;
-  for (const double height : heights)
-  {
-    if (height >= 0.0)
-    {
-      known.push_back(height);
-    }
-  }
+  Buffer<double> known = LocalFits::Known(heights);
   return !known.empty() && Percentile(known, 0.99) > 4.5 * Median(known);
 }
 

@@ -182,16 +182,22 @@ bool LocalFits::AreOfNoise() const
     Percentile(kurtoses, 0.25) >= 3.0 - QuartileSpread / std::sqrt(number);
 }
 
-LocalFits::Residuals LocalFits::ResidualsOfMany() const
+Buffer<double> LocalFits::Known(const Buffer<double>& values)
 {
-  Buffer<double> deviations;
-  for (const double deviation : this->Many)
+  Buffer<double> known;
+  for (const double value : values)
   {
-    if (deviation >= 0.0)
+    if (value >= 0.0)
     {
-      deviations.push_back(deviation);
+      known.push_back(value);
     }
   }
+  return known;
+}
+
+LocalFits::Residuals LocalFits::ResidualsOfMany() const
+{
+  Buffer<double> deviations = Known(this->Many);
   if (deviations.empty())
   {
     return { 0.0, 3.0 };

@@ -60,13 +60,16 @@ struct LocalFits
   struct Residuals
   {
     double Deviation; ///< median of those of the largest fits
-    /// Median over the half of the points with less deviation: 2.8 to 3.2 for normally distributed
-    /// noise, 3.4 to 4.1 if its kurtosis is 5.4.
+    /// Median over the half of the points with less deviation. Without detail 2.8 to 3.2 for
+    /// normally distributed noise, 3.4 to 4.1 if its kurtosis is 5.4.
     double Kurtosis;
   };
 
   /// Of the largest fits, which have enough residuals to show it. 0 and 3 if there are none.
   Residuals ResidualsOfMany() const;
+
+  /// The values of points that have one: those that are not negative.
+  static Buffer<double> Known(const Buffer<double>& values);
 };
 
 /// Around every point, with w = 1; the graph has the 40 nearest others. Those that are left out are
