@@ -15,28 +15,26 @@ namespace
 
 /// x_ij over all pairs of edge-adjacent faces that have normals, each pair once. Centroids closer
 /// than shortest belong to one face that was stored twice.
-Buffer<double> AdjacentDifferences(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<Vec3>& normals, const Buffer<Vec3>& centroids, NormalArgument argument,
-  double shortest)
+Buffer<double> AdjacentDifferences(const NeighborGraph& adjacent, const Buffer<Vec3>& normals,
+  const Buffer<Vec3>& centroids, NormalArgument argument, double shortest)
 {
   Buffer<double> differences;
-  differences.reserve(mesh.NumberOfFaces() * 3 / 2);
-  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
+  differences.reserve(adjacent.NumberOfIds() / 2);
+  for (std::size_t f = 0; f < adjacent.NumberOfRows(); ++f)
   {
-    VisitEdgeAdjacentFaces(mesh, stars, f,
-      [&](Index g)
+    for (const Index g : adjacent.Row(f))
+    {
+      const double distance = (centroids[f] - centroids[g]).norm();
+      const Vec3& m = normals[f];
+      const Vec3& n = normals[g];
+      if (g > f && !m.isZero(0.0) && !n.isZero(0.0) && distance > shortest)
       {
-        const double distance = (centroids[f] - centroids[g]).norm();
-        const Vec3& m = normals[f];
-        const Vec3& n = normals[g];
-        if (g > f && !m.isZero(0.0) && !n.isZero(0.0) && distance > shortest)
-        {
-          const bool angle =
-            argument == NormalArgument::Angle || argument == NormalArgument::DirectionalCurvature;
-          const double x = angle ? std::atan2(m.cross(n).norm(), m.dot(n)) : (m - n).norm();
-          differences.push_back(IsCurvature(argument) ? x / distance : x);
-        }
-      });
+        const bool angle =
+          argument == NormalArgument::Angle || argument == NormalArgument::DirectionalCurvature;
+        const double x = angle ? std::atan2(m.cross(n).norm(), m.dot(n)) : (m - n).norm();
+        differences.push_back(IsCurvature(argument) ? x / distance : x);
+      }
+    }
   }
   return differences;
 }
@@ -63,11 +61,14 @@ FaceFilter::FaceFilter(const TriangleMesh& mesh, const CompressedRows& stars,
 void FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution)
 {
   ComputeFaceGeometry(this->Mesh, this->EdgeLength, this->Geometry, execution);
-  this->Distance =
-    MeanAdjacentDistance(this->Mesh, this->Stars, this->Geometry.Centroids, execution);
-  this->Unit = this->ScaleUnit(execution);
   const bool first = !this->Renewed;
   this->Renewed = true;
+  if (this->EdgeAdjacent.NumberOfRows() == 0)
+  {
+    this->EdgeAdjacent = EdgeAdjacentFaces(this->Mesh, this->Stars, execution);
+  }
+  this->Distance = MeanAdjacentDistance(this->EdgeAdjacent, this->Geometry.Centroids, execution);
+  this->Unit = this->ScaleUnit(execution);
   if (this->Settings.Argument == NormalArgument::SiteCurvature)
   {
     this->Curvatures =
@@ -82,6 +83,10 @@ void FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution)
   {
     this->Report.MeanCentroidDistance = this->Distance;
     this->ChooseScale(normals);
+  }
+  if (!this->KeepsAdjacency())
+  {
+    this->EdgeAdjacent = NeighborGraph();
   }
   if (this->Settings.NormalIterations > 0 &&
     (first || (IsBall(this->Settings.Neighborhood) && this->Settings.RenewNeighborhood)))
@@ -114,7 +119,7 @@ void FaceFilter::ChooseScale(const Buffer<Vec3>& normals)
   Buffer<double> values = this->Curvatures;
   if (values.empty())
   {
-    values = AdjacentDifferences(this->Mesh, this->Stars, normals, this->Geometry.Centroids,
+    values = AdjacentDifferences(this->EdgeAdjacent, normals, this->Geometry.Centroids,
       settings.Argument, 1e-12 * this->EdgeLength);
   }
   const double sigma = RobustScale(values, settings.Estimator) * this->Unit;
@@ -132,15 +137,10 @@ void FaceFilter::FindNeighbors(Execution& execution)
   {
     this->VertexSharing = VertexSharingFaces(this->Mesh, this->Stars, execution);
   }
-  if (this->EdgeAdjacent.NumberOfRows() == 0 &&
-    (wanted == FaceNeighborhood::EdgeAdjacent || wanted == FaceNeighborhood::EdgeRadius))
-  {
-    this->EdgeAdjacent = EdgeAdjacentFaces(this->Mesh, this->Stars, execution);
-  }
   if (patches && !this->Patches)
   {
-    this->Patches =
-      std::make_unique<PatchGuidance>(this->Mesh, this->Stars, this->VertexSharing, execution);
+    this->Patches = std::make_unique<PatchGuidance>(this->Mesh, this->EdgeAdjacent,
+      this->VertexSharing, execution);
   }
   if (IsBall(wanted))
   {
@@ -148,6 +148,13 @@ void FaceFilter::FindNeighbors(Execution& execution)
                                                                       : this->EdgeAdjacent,
       this->Geometry.Centroids, settings.Radius * this->Distance, execution);
   }
+}
+
+bool FaceFilter::KeepsAdjacency() const
+{
+  return this->Settings.Neighborhood == FaceNeighborhood::EdgeAdjacent ||
+    this->Settings.Neighborhood == FaceNeighborhood::EdgeRadius ||
+    this->Settings.Guidance == NormalGuidance::Patch || this->Settings.LocalSpatialScale;
 }
 
 const NeighborGraph& FaceFilter::Graph() const
@@ -168,7 +175,7 @@ void FaceFilter::SetGeometry(NormalFilter& filter, Execution& execution)
   Buffer<double> widths;
   if (settings.LocalSpatialScale && settings.SpatialScale > 0.0)
   {
-    widths = MeanAdjacentDistances(this->Mesh, this->Stars, centroids, execution);
+    widths = MeanAdjacentDistances(this->EdgeAdjacent, centroids, execution);
     for (double& width : widths)
     {
       width = settings.SpatialScale * (width > shortest ? width : this->Distance);

@@ -135,6 +135,8 @@ private:
   void ChooseScale(const Buffer<Vec3>& normals);
   void FindNeighbors(Execution& execution);
   void SetGeometry(NormalFilter& filter, Execution& execution);
+  /// Whether EdgeAdjacent is needed for longer than to look at the mesh.
+  bool KeepsAdjacency() const;
   const NeighborGraph& Graph() const;
   bool Iterate(const NormalFilter& filter, const Buffer<Vec3>& normals,
     const Buffer<Vec3>& original, Buffer<Vec3>& filtered, Execution& execution, double first,
@@ -153,7 +155,7 @@ private:
   double Distance = 0.0;       ///< d of the present positions
   double Unit = 1.0;           ///< what scales of the norm are divided by
   NeighborGraph VertexSharing; ///< if the neighbourhood or the guidance needs it
-  NeighborGraph EdgeAdjacent;  ///< if the neighbourhood needs it
+  NeighborGraph EdgeAdjacent;  ///< to look at the mesh, and if the iterations need it
   NeighborGraph Ball;          ///< the neighbourhood, if it is one in a ball
   std::unique_ptr<PatchGuidance> Patches;
   Buffer<Vec3> Guide;

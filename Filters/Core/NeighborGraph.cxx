@@ -26,16 +26,15 @@ struct DistanceSum
 };
 
 /// From the centroid of a face to those of its edge-adjacent faces.
-DistanceSum AdjacentDistances(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<Vec3>& centroids, std::size_t f)
+DistanceSum AdjacentDistances(const NeighborGraph& adjacent, const Buffer<Vec3>& centroids,
+  std::size_t f)
 {
   DistanceSum sum;
-  VisitEdgeAdjacentFaces(mesh, stars, f,
-    [&](Index g)
-    {
-      sum.Sum += (centroids[f] - centroids[g]).norm();
-      ++sum.Count;
-    });
+  for (const Index g : adjacent.Row(f))
+  {
+    sum.Sum += (centroids[f] - centroids[g]).norm();
+    ++sum.Count;
+  }
   return sum;
 }
 
@@ -46,7 +45,32 @@ NeighborGraph EdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& 
 {
   return BuildRows(execution, mesh.NumberOfFaces(),
     [&](std::size_t f, Buffer<Index>& row)
-    { VisitEdgeAdjacentFaces(mesh, stars, f, [&row](Index g) { row.push_back(g); }); });
+    {
+      const Triangle t = mesh.Triangles[f];
+      // The faces at the first corner that share another one, then those that share the opposite
+      // edge only.
+      for (const Index g : stars.Row(t[0]))
+      {
+        const Triangle& other = mesh.Triangles[g];
+        if (g != f &&
+          ((t[1] != t[0] && HasCorner(other, t[1])) || (t[2] != t[0] && HasCorner(other, t[2]))))
+        {
+          row.push_back(g);
+        }
+      }
+      if (t[1] == t[2])
+      {
+        return;
+      }
+      for (const Index g : stars.Row(t[1]))
+      {
+        const Triangle& other = mesh.Triangles[g];
+        if (g != f && HasCorner(other, t[2]) && !HasCorner(other, t[0]))
+        {
+          row.push_back(g);
+        }
+      }
+    });
 }
 
 NeighborGraph VertexSharingFaces(const TriangleMesh& mesh, const CompressedRows& stars,
@@ -170,27 +194,27 @@ NeighborGraph NearestPoints(const Buffer<Vec3>& points, std::size_t count, Execu
     });
 }
 
-Buffer<double> MeanAdjacentDistances(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<Vec3>& centroids, Execution& execution)
+Buffer<double> MeanAdjacentDistances(const NeighborGraph& adjacent, const Buffer<Vec3>& centroids,
+  Execution& execution)
 {
-  Buffer<double> means(mesh.NumberOfFaces());
+  Buffer<double> means(adjacent.NumberOfRows());
   execution.For(means.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t f = begin; f < end; ++f)
       {
-        const DistanceSum sum = AdjacentDistances(mesh, stars, centroids, f);
+        const DistanceSum sum = AdjacentDistances(adjacent, centroids, f);
         means[f] = sum.Count > 0 ? sum.Sum / static_cast<double>(sum.Count) : 0.0;
       }
     });
   return means;
 }
 
-double MeanAdjacentDistance(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<Vec3>& centroids, Execution& execution)
+double MeanAdjacentDistance(const NeighborGraph& adjacent, const Buffer<Vec3>& centroids,
+  Execution& execution)
 {
-  const DistanceSum total = OrderedSum(execution, mesh.NumberOfFaces(), DistanceSum(),
-    [&](std::size_t f) { return AdjacentDistances(mesh, stars, centroids, f); });
+  const DistanceSum total = OrderedSum(execution, adjacent.NumberOfRows(), DistanceSum(),
+    [&](std::size_t f) { return AdjacentDistances(adjacent, centroids, f); });
   return total.Count > 0 ? total.Sum / static_cast<double>(total.Count) : 0.0;
 }
 

@@ -20,37 +20,6 @@ namespace SurfaceDenoising
 
 using NeighborGraph = CompressedRows;
 
-/// Calls visit(g) once for every face g that shares an edge with face f.
-template <typename Visit>
-void VisitEdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& stars, std::size_t f,
-  Visit visit)
-{
-  const Triangle t = mesh.Triangles[f];
-  // The faces at the first corner that share another one, then those that share the opposite edge
-  // only.
-  for (const Index g : stars.Row(t[0]))
-  {
-    const Triangle& other = mesh.Triangles[g];
-    if (g != f &&
-      ((t[1] != t[0] && HasCorner(other, t[1])) || (t[2] != t[0] && HasCorner(other, t[2]))))
-    {
-      visit(g);
-    }
-  }
-  if (t[1] == t[2])
-  {
-    return;
-  }
-  for (const Index g : stars.Row(t[1]))
-  {
-    const Triangle& other = mesh.Triangles[g];
-    if (g != f && HasCorner(other, t[2]) && !HasCorner(other, t[0]))
-    {
-      visit(g);
-    }
-  }
-}
-
 /// Faces that share an edge. All other faces of a non-manifold edge are neighbours.
 NeighborGraph EdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution);
@@ -79,12 +48,12 @@ Buffer<double> SharedEdgeLengths(const TriangleMesh& mesh, const NeighborGraph& 
 NeighborGraph NearestPoints(const Buffer<Vec3>& points, std::size_t count, Execution& execution);
 
 /// For every face, the mean distance to the centroids of its edge-adjacent faces; 0 if it has none.
-Buffer<double> MeanAdjacentDistances(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<Vec3>& centroids, Execution& execution);
+Buffer<double> MeanAdjacentDistances(const NeighborGraph& adjacent, const Buffer<Vec3>& centroids,
+  Execution& execution);
 
 /// Mean distance between the centroids of edge-adjacent faces; 0 if there are none.
-double MeanAdjacentDistance(const TriangleMesh& mesh, const CompressedRows& stars,
-  const Buffer<Vec3>& centroids, Execution& execution);
+double MeanAdjacentDistance(const NeighborGraph& adjacent, const Buffer<Vec3>& centroids,
+  Execution& execution);
 
 }
 

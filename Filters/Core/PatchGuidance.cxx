@@ -40,10 +40,10 @@ bool ShareVertex(const Triangle& s, const Triangle& t)
 
 }
 
-PatchGuidance::PatchGuidance(const TriangleMesh& mesh, const CompressedRows& stars,
+PatchGuidance::PatchGuidance(const TriangleMesh& mesh, const NeighborGraph& edgeAdjacent,
   const NeighborGraph& vertexSharing, Execution& execution)
   : Members(vertexSharing)
-  , Adjacent(EdgeAdjacentFaces(mesh, stars, execution))
+  , Adjacent(edgeAdjacent)
 {
   this->InnerEdges = BuildRows(execution, mesh.NumberOfFaces(),
     [&](std::size_t f, Buffer<Index>& row)

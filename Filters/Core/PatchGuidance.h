@@ -24,8 +24,8 @@ namespace SurfaceDenoising
 class PatchGuidance
 {
 public:
-  /// vertexSharing must outlive the guidance.
-  PatchGuidance(const TriangleMesh& mesh, const CompressedRows& stars,
+  /// The graphs, of faces that share an edge or a vertex, must outlive the guidance.
+  PatchGuidance(const TriangleMesh& mesh, const NeighborGraph& edgeAdjacent,
     const NeighborGraph& vertexSharing, Execution& execution);
 
   /**
@@ -39,9 +39,9 @@ public:
   const Buffer<double>& Inconsistencies() const { return this->Inconsistency; }
 
 private:
-  const NeighborGraph& Members; ///< of the patch of every face, but the face itself
-  NeighborGraph Adjacent;       ///< faces that share an edge
-  CompressedRows InnerEdges;    ///< of every patch, as entries of Adjacent
+  const NeighborGraph& Members;  ///< of the patch of every face, but the face itself
+  const NeighborGraph& Adjacent; ///< faces that share an edge
+  CompressedRows InnerEdges;     ///< of every patch, as entries of Adjacent
 
   // Kept between calls: the memory of one is that of the next.
   Buffer<double> EdgeChords; ///< per entry of Adjacent; -1 at a face without normal

@@ -110,7 +110,8 @@ TEST_P(NeighborGraphs, WithinRadius)
 {
   const Buffer<Vec3> centroids = Centroids(this->Mesh);
   const NeighborGraph connections = VertexSharingFaces(this->Mesh, this->Stars, this->Threads);
-  const double d = MeanAdjacentDistance(this->Mesh, this->Stars, centroids, this->Threads);
+  const double d = MeanAdjacentDistance(EdgeAdjacentFaces(this->Mesh, this->Stars, this->Threads),
+    centroids, this->Threads);
   for (const double radius : { 0.0, 0.9 * d, 1.7 * d, 3.1 * d, 100.0 * d })
   {
     // Growth by whole generations until nothing changes.
@@ -153,7 +154,8 @@ TEST_P(NeighborGraphs, MeanAdjacentDistance)
     }
   }
   const double mean =
-    MeanAdjacentDistance(this->Mesh, this->Stars, Centroids(this->Mesh), this->Threads);
+    MeanAdjacentDistance(EdgeAdjacentFaces(this->Mesh, this->Stars, this->Threads),
+      Centroids(this->Mesh), this->Threads);
   EXPECT_NEAR(mean, count > 0 ? sum / count : 0.0, 1e-14);
 }
 
