@@ -190,8 +190,9 @@ TEST_F(FourFaces, PatchGuidance)
   {
     const TriangleMesh mesh = Flaps(row.first);
     const CompressedRows stars = VertexStars(mesh);
+    const NeighborGraph beside = EdgeAdjacentFaces(mesh, stars, serial);
     const NeighborGraph around = VertexSharingFaces(mesh, stars, serial);
-    PatchGuidance patches(mesh, stars, around, serial);
+    PatchGuidance patches(mesh, beside, around, serial);
     const Buffer<Vec3> normals(this->Normals.begin(), this->Normals.begin() + row.first + 1);
     const Buffer<double> areas(this->Areas.begin(), this->Areas.begin() + row.first + 1);
     Buffer<Vec3> guidance;
@@ -209,8 +210,9 @@ TEST_F(FourFaces, PatchOfOneFaceIsNone)
   Execution serial;
   const TriangleMesh mesh = Flaps(0);
   const CompressedRows stars = VertexStars(mesh);
+  const NeighborGraph beside = EdgeAdjacentFaces(mesh, stars, serial);
   const NeighborGraph around = VertexSharingFaces(mesh, stars, serial);
-  PatchGuidance patches(mesh, stars, around, serial);
+  PatchGuidance patches(mesh, beside, around, serial);
   Buffer<Vec3> guidance;
   patches.Compute({ Vec3(0, 1, 0) }, { 1.0 }, guidance, serial);
   EXPECT_EQ(guidance[0], Vec3(0, 1, 0));

@@ -21,7 +21,6 @@ constexpr double Tolerance = 0.025;
 constexpr double LargestGap = 0.075;
 /// Chains for surfaces of one type make surfaces that are alike, and would outvote the others.
 constexpr std::size_t MostOfType = 2;
-constexpr std::size_t MostTruths = 3 * MostOfType;
 /// Lost shape as large as the noise is an error of that.
 constexpr double ShapeError = 0.4;
 /// What is added to the logarithm of the error if what is removed is correlated as noise is not.
@@ -29,11 +28,9 @@ constexpr double ColourCost = 0.75;
 /// What a folded edge adds to the mean angle of faces, in degrees: an edge for one and a half
 /// faces.
 constexpr double FoldAngle = 250.0;
-/// Candidates whose mean logarithm of the error is larger than the least by more are dropped.
-constexpr double Hopeless = 0.5;
-/// Of a logarithm of the error beyond that of the best for a truth: what is worse by half is bad
+/// Of a logarithm of the error beyond that of the best for a truth: what is worse by a third is bad
 /// enough for one truth to say so.
-constexpr double LargestRegret = 0.4;
+constexpr double LargestRegret = 0.3;
 /// A gain below this is not certain: the error must fall to this share of that of the input.
 constexpr double LargestError = 0.9;
 /// If noise and detail can be confused, the same for any other truth than those that count.
@@ -121,18 +118,32 @@ bool ChainTrials::Compare(std::size_t candidate, const Trial& trial, Surplus& su
   return true;
 }
 
-/// Drops candidates without hope.
-void ChainTrials::Drop(std::vector<Score>& scores)
+/// What is added to the logarithm of the error in a trial for shape that it did not foretell.
+bool ChainTrials::CostOfShape(std::size_t candidate, const Trial& trial, double error,
+  double deviation, double& cost, Execution& execution)
+{
+  Surplus surplus;
+  if (!this->Compare(candidate, trial, surplus, execution))
+  {
+    return false;
+  }
+  const double lost = ShapeError * std::sqrt(this->Doubt) * surplus.Deviation / deviation;
+  cost = std::log(std::hypot(error, lost) / error) + ColourCost * this->Doubt * surplus.Correlation;
+  return true;
+}
+
+/// Drops candidates that cannot become the best any more, whatever truths of this weight say.
+void ChainTrials::Drop(double weight, std::vector<Score>& scores)
 {
   double least = Infinite;
   for (const Score& score : scores)
   {
-    least = std::min(least, score.Mean());
+    least = std::min(least, score.Regret());
   }
-  const double limit = least + Hopeless;
+  const double limit = least + weight * LargestRegret;
   for (Score& score : scores)
   {
-    score.Dropped = score.Mean() > limit;
+    score.Dropped = score.Regret() > limit;
   }
 }
 
@@ -146,6 +157,7 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
   const double part = 0.5 / double(count);
   std::vector<Trial> trials(count);
   std::vector<double> costs(count, Infinite); // logarithms of errors, and what is added to them
+  std::vector<std::size_t> order;             // the least error first
   for (std::size_t k = 0; k < count; ++k)
   {
     ProgressShare share(execution, double(k) * part, double(k + 1) * part);
@@ -158,41 +170,33 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
       return false;
     }
     costs[k] = LogarithmOfAngles(trials[k].Angle, before);
-    scores[k].Weight += weight;
     scores[k].Errors += weight * costs[k];
+    order.push_back(k);
   }
-  Drop(scores);
-  for (std::size_t k = 0; this->Doubt > 0.0 && k < count; ++k)
-  {
-    ProgressShare share(execution, 0.5 + double(k) * part, 0.5 + double(k + 1) * part);
-    Surplus surplus;
-    if (scores[k].Dropped)
-    {
-      continue;
-    }
-    // Removed from as much noise as the input has, as far as what is removed is proportional to it.
-    trials[k].Removed.Size /= strength;
-    if (!this->Compare(k, trials[k], surplus, share))
-    {
-      return false;
-    }
-    const double error = std::exp(costs[k]);
-    const double lost = ShapeError * std::sqrt(this->Doubt) * surplus.Deviation / truth.Deviation;
-    const double cost =
-      std::log(std::hypot(error, lost) / error) + ColourCost * this->Doubt * surplus.Correlation;
-    scores[k].Costs += weight * cost;
-    costs[k] += cost;
-  }
-  Drop(scores);
+  std::stable_sort(order.begin(), order.end(),
+    [&costs](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
   double best = Infinite;
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t n = 0; n < order.size(); ++n)
   {
-    best = scores[k].Dropped ? best : std::min(best, costs[k]);
+    const std::size_t k = order[n];
+    ProgressShare share(execution, 0.5 + double(n) * part, 0.5 + double(n + 1) * part);
+    // What is added makes no difference to those that are far behind.
+    if (this->Doubt > 0.0 && costs[k] < best + LargestRegret)
+    {
+      // Removed from as much noise as the input has, as far as what is removed is proportional.
+      trials[k].Removed.Size /= strength;
+      double lost = 0.0;
+      if (!this->CostOfShape(k, trials[k], std::exp(costs[k]), truth.Deviation, lost, share))
+      {
+        return false;
+      }
+      costs[k] += lost;
+    }
+    best = std::min(best, costs[k]);
   }
-  for (std::size_t k = 0; k < count; ++k)
+  for (const std::size_t k : order)
   {
-    scores[k].Regrets +=
-      scores[k].Dropped ? 0.0 : weight * std::min(LargestRegret, costs[k] - best);
+    scores[k].Regrets += weight * std::min(LargestRegret, costs[k] - best);
   }
   return true;
 }
@@ -228,16 +232,11 @@ bool ChainTrials::AskWitness(const PlausibleSurface& witness, double strength, T
   return true;
 }
 
-/// Tries the candidates on the truths that count, and finds the best of them.
-bool ChainTrials::Choose(double strength, TrialResult& result, Execution& execution)
+/// The most plausible truths, with what they count.
+std::vector<ChainTrials::WeightedTruth> ChainTrials::TruthsThatCount() const
 {
-  std::vector<Score> scores(this->Candidates.size());
-  for (std::size_t k = 0; k < scores.size(); ++k)
-  {
-    scores[k].Dropped = !this->Surfaces.IsWorthATrial(*this->Candidates[k]);
-  }
   const std::vector<PlausibleSurface>& truths = this->Surfaces.BySum();
-  std::size_t tried = 0;
+  std::vector<WeightedTruth> found;
   std::map<SurfaceType, std::size_t> ofType;
   for (const PlausibleSurface& truth : truths)
   {
@@ -246,22 +245,43 @@ bool ChainTrials::Choose(double strength, TrialResult& result, Execution& execut
     {
       break;
     }
-    if (ofType[truth.Type]++ >= MostOfType)
+    if (ofType[truth.Type]++ < MostOfType)
     {
-      continue;
+      found.push_back({ &truth, std::exp(-gap / Tolerance) });
     }
-    const double part = 1.0 / double(MostTruths);
-    ProgressShare share(execution, double(tried) * part, double(tried + 1) * part);
-    if (!this->TryAll(truth, strength, std::exp(-gap / Tolerance), scores, share))
+  }
+  return found;
+}
+
+/// Tries the candidates on the truths that count, and finds the best of them.
+bool ChainTrials::Choose(double strength, TrialResult& result, Execution& execution)
+{
+  const std::vector<WeightedTruth> truths = this->TruthsThatCount();
+  // Of this truth and all after it.
+  std::vector<double> weights(truths.size() + 1, 0.0);
+  for (std::size_t t = truths.size(); t-- > 0;)
+  {
+    weights[t] = weights[t + 1] + truths[t].Weight;
+  }
+  std::vector<Score> scores(this->Candidates.size());
+  for (std::size_t k = 0; k < scores.size(); ++k)
+  {
+    scores[k].Dropped = !this->Surfaces.IsWorthATrial(*this->Candidates[k]);
+  }
+  const double part = 1.0 / double(truths.size());
+  for (std::size_t t = 0; t < truths.size(); ++t)
+  {
+    ProgressShare share(execution, double(t) * part, double(t + 1) * part);
+    if (!this->TryAll(*truths[t].Truth, strength, truths[t].Weight, scores, share))
     {
       return false;
     }
-    ++tried;
+    Drop(weights[t + 1], scores);
   }
   const auto best = std::min_element(scores.begin(), scores.end(),
     [](const Score& a, const Score& b) { return a.Regret() < b.Regret(); });
   result.Best = std::size_t(best - scores.begin());
-  result.Error = best->Error();
+  result.Error = std::exp(best->Errors / weights[0]);
   return true;
 }
 

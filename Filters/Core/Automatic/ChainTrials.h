@@ -12,9 +12,10 @@
  * The error e is that on y as far as T and the noise are like the real ones. Of many T, see
  * PlausibleSurfaces, the two with the least sum s of those that chains for each type of surface
  * made count, each by exp(-s / 0.025), if s is at most 0.075 above the least. Averaged is how much
- * larger the logarithm of the error is than that of the best chain for T, but 0.4 at most: a
+ * larger the logarithm of the error is than that of the best chain for T, but 0.3 at most: a
  * truncated loss, so that no truth decides alone, as one that is too smooth would, on which smooth
- * chains are many times better than others. What a chain removes from y beyond what it
+ * chains are many times better than others. A chain is given up as soon as the truths that are left
+ * cannot make it the best any more. What a chain removes from y beyond what it
  * removes from T with noise is shape, whose loss T did not foretell. With r the root mean square of
  * what is removed, v how much larger r^2 is for y, c how much more correlated what is removed is
  * (TrialResidual), both at least 0, and n the deviation of the noise, log(e) becomes
@@ -94,22 +95,20 @@ private:
   /// What the trials say of a candidate, weighted sums.
   struct Score
   {
-    double Weight = 0.0;
     double Errors = 0.0;  ///< of the logarithms of the errors
-    double Costs = 0.0;   ///< of what is added to them for lost shape
     double Regrets = 0.0; ///< of what the best for a truth is better by, truncated
-    bool Dropped = false;
+    bool Dropped = false; ///< cannot be the best
 
-    double Mean() const
-    {
-      return this->Dropped ? std::numeric_limits<double>::infinity()
-                           : (this->Errors + this->Costs) / this->Weight;
-    }
-    double Error() const { return std::exp(this->Errors / this->Weight); }
     double Regret() const
     {
-      return this->Dropped ? std::numeric_limits<double>::infinity() : this->Regrets / this->Weight;
+      return this->Dropped ? std::numeric_limits<double>::infinity() : this->Regrets;
     }
+  };
+
+  struct WeightedTruth
+  {
+    const PlausibleSurface* Truth;
+    double Weight;
   };
 
   double AngleTo(const PlausibleSurface& truth, const TriangleMesh& mesh, double folds,
@@ -118,9 +117,12 @@ private:
   bool Try(std::size_t candidate, const PlausibleSurface& truth, const TriangleMesh& noisy,
     Trial& trial, Execution& execution);
   bool Compare(std::size_t candidate, const Trial& trial, Surplus& surplus, Execution& execution);
-  static void Drop(std::vector<Score>& scores);
+  bool CostOfShape(std::size_t candidate, const Trial& trial, double error, double deviation,
+    double& cost, Execution& execution);
+  static void Drop(double weight, std::vector<Score>& scores);
   bool TryAll(const PlausibleSurface& truth, double strength, double weight,
     std::vector<Score>& scores, Execution& execution);
+  std::vector<WeightedTruth> TruthsThatCount() const;
   bool Choose(double strength, TrialResult& result, Execution& execution);
   double DoubtAbout(const PlausibleSurface& truth, double strength, Execution& execution) const;
   bool AskWitness(const PlausibleSurface& witness, double strength, TrialResult& result,

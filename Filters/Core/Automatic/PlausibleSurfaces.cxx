@@ -28,9 +28,6 @@ constexpr double LargestCorrelation = 0.05;
 constexpr double ClearlyNearer = 0.03;
 /// No surface has a larger share of folded edges than the sample by more.
 constexpr double MoreFolds = 0.001;
-/// Folds of a surface cost so much more if that share of the edges of the input is folded.
-constexpr double MoreFoldCost = 2.0;
-constexpr double FoldsOfStrongNoise = 0.2;
 /// Shares of folded edges: chains for folds need no trial; clean meshes have hardly more; only
 /// noise makes as many.
 constexpr double HardlyAFold = 0.01;
@@ -152,13 +149,11 @@ PlausibleSurfaces::Fit PlausibleSurfaces::FitNoise(const TriangleMesh& surface, 
 bool PlausibleSurfaces::Judge(Fit fit, double colour, Execution& execution)
 {
   PlausibleSurface& truth = fit.Truth;
-  const double share = this->Sample.FoldedShare(truth.Normals);
-  if (share > this->FoldsBefore + MoreFolds)
+  const double folds = this->Sample.FoldedShare(truth.Normals);
+  if (folds > this->FoldsBefore + MoreFolds)
   {
     return true;
   }
-  const double folds = share *
-    (1.0 + MoreFoldCost * Ramp(this->FoldsBefore, 0.5 * FoldsOfStrongNoise, FoldsOfStrongNoise));
   Measures probes;
   if (!this->MeasureProbes(this->WithNoise(truth, 1.0, execution), probes, execution))
   {
