@@ -30,7 +30,7 @@
  * Surfaces without noise have hardly any folded edges (adjacent faces turned by 120 degrees or
  * more), and what has more of them than y is no T. From 1% on, chains for folds are worth a trial.
  * If 5% of those of y are, it is noise that folds them, and from 4% on chains that leave them so
- * make no T; from 10% to 20%, what those of T cost rises to three times their share.
+ * make no T.
  */
 
 #ifndef SurfaceDenoising_PlausibleSurfaces_h
