@@ -15,10 +15,12 @@
  * larger the logarithm of the error is than that of the best chain for T, but 0.3 at most: a
  * truncated loss, so that no truth decides alone, as one that is too smooth would, on which smooth
  * chains are many times better than others. A chain is given up as soon as the truths that are left
- * cannot make it the best any more. What a chain removes from y beyond what it
- * removes from T with noise is shape, whose loss T did not foretell. With r the root mean square of
- * what is removed, v how much larger r^2 is for y, c how much more correlated what is removed is
- * (TrialResidual), both at least 0, and n the deviation of the noise, log(e) becomes
+ * cannot make it the best any more.
+ *
+ * What a chain removes from y beyond what it removes from T with noise is shape, whose loss T did
+ * not foretell. With r the root mean square of what is removed, v how much larger r^2 is for y, c
+ * how much more correlated what is removed is (TrialResidual), both at least 0, and n the deviation
+ * of the noise, log(e) becomes
  *
  *   log(e^2 + 0.4^2 d v / n^2) / 2 + 0.75 d c,
  *
@@ -105,6 +107,7 @@ private:
     }
   };
 
+  /// A truth that candidates are tried on, and what it counts.
   struct WeightedTruth
   {
     const PlausibleSurface* Truth;
