@@ -49,10 +49,12 @@ struct LocalFits
   bool AreOfSurface() const;
 
   /**
-   * Whether the residuals of the smallest fits may be noise: their kurtosis is at least 2.9 on
-   * average, and its lower quartile at least 3 - 3.5 / sqrt(9 w + 1). Of normally distributed noise
-   * it is 3, and 2.94 or more was measured whatever the surface. Those of the two sheets of a thin
-   * part have fewer extreme values; under noise with heavy tails, only the quartile shows that.
+   * Whether the residuals of the smallest fits may be noise of all points: their kurtosis is at
+   * least 2.9 on average, and its lower quartile at least 3 - 3.5 / sqrt(9 w + 1). Of normally
+   * distributed noise it is 3, and 2.94 or more was measured whatever the surface. Those of the two
+   * sheets of a thin part have fewer extreme values; under noise with heavy tails, only the
+   * quartile shows that. Of impulsive noise the average is more than 1.4 above the quartile: some
+   * fits have more impulses than others.
    */
   bool AreOfNoise() const;
 
