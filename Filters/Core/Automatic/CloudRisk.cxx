@@ -3,154 +3,52 @@
 
 #include "Automatic/CloudRisk.h"
 
-#include "Automatic/OutwardOrder.h"
-#include "KdTree.h"
-#include "SpatialOrder.h"
-
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 namespace SurfaceDenoising
 {
 
-namespace
-{
-
-/// Points that normals come from: the stronger the noise, in spacings, the more.
-std::size_t NormalNeighbors(double level)
-{
-  return static_cast<std::size_t>(std::clamp(80.0 * level, 20.0, 80.0));
-}
-
-constexpr std::size_t MostNormalNeighbors = 200;
-
-/// The points of a part, and those of them that have all their neighbours.
-constexpr std::size_t PartPoints = 800;
-constexpr std::size_t InnerPoints = 450;
-
-/// Of clouds whose methods take more neighbours, parts are so many times as large at most.
-constexpr std::size_t LargestParts = 2;
-
-/// 1 for points of the sample, 2 for those to be judged.
-Buffer<unsigned char> ChooseSample(const Buffer<Vec3>& points, const Buffer<Index>& ranked,
-  std::size_t asked, std::size_t widening)
-{
-  const std::size_t larger = std::min(widening, LargestParts);
-  const std::size_t parts =
-    std::max(std::min<std::size_t>(2, asked), (asked + larger - 1) / larger);
-  Buffer<unsigned char> chosen(points.size(), 2);
-  if (points.size() <= parts * larger * PartPoints)
-  {
-    return chosen;
-  }
-  std::fill(chosen.begin(), chosen.end(), static_cast<unsigned char>(0));
-  const KdTree tree(points);
-  std::vector<Index> found;
-  for (std::size_t part = 0; part < parts; ++part)
-  {
-    const Index centre = ranked[(2 * part + 1) * points.size() / (2 * parts)];
-    tree.Nearest(points[centre], larger * PartPoints, found);
-    for (std::size_t k = 0; k < found.size(); ++k)
-    {
-      unsigned char& mark = chosen[found[k]];
-      mark = std::max(mark, static_cast<unsigned char>(k < larger * InnerPoints ? 2 : 1));
-    }
-  }
-  return chosen;
-}
-
-}
-
 CloudRisk::CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals,
   const CloudNoise& noise, double deviation, std::size_t parts, Execution& execution)
-  : Deviation(deviation)
+  : Sample(points, normals, noise, deviation, parts, execution)
+  , Deviation(deviation)
   , Step(std::max(0.5 * deviation, 1e-4 * noise.Spacing))
 {
-  const Buffer<Index> order = FindPointOrder(points, {}, execution);
-  const Buffer<Vec3> ordered = Gather(points, order);
-  const Vec3 mean = MeanOf(ordered, execution);
-  const Buffer<Index> ranked = OutwardOrder(ordered, execution);
-  const Buffer<unsigned char> chosen = ChooseSample(ordered, ranked, parts, noise.Widening);
-  Buffer<Index> numbers(ordered.size(), NoIndex);
-  for (std::size_t i = 0; i < ordered.size(); ++i)
-  {
-    if (chosen[i] > 0)
-    {
-      numbers[i] = static_cast<Index>(this->Sample.size());
-      this->Sample.push_back(ordered[i]);
-      if (!normals.empty())
-      {
-        this->Normals.push_back(normals[order[i]]);
-      }
-    }
-  }
-  const std::size_t neighbors = std::min(MostNormalNeighbors,
-    noise.Widening * NormalNeighbors(noise.Spacing > 0.0 ? deviation / noise.Spacing : 0.0));
-  const NeighborGraph nearest = NearestPoints(this->Sample, neighbors, execution);
-  this->Directions = PlaneFitNormals(this->Sample, nearest, neighbors, execution);
-  // Signs that look random: bits of a hash of the rank.
-  for (std::size_t rank = 0; rank < ranked.size(); ++rank)
-  {
-    const Index i = ranked[rank];
-    if (chosen[i] == 0)
-    {
-      continue;
-    }
-    Vec3& direction = this->Directions[numbers[i]];
-    std::uint64_t hash = (rank + 1) * 0x9E3779B97F4A7C15ull;
-    hash = (hash ^ (hash >> 31)) * 0xBF58476D1CE4E5B9ull;
-    // The sign of a normal is arbitrary: take the one that points away from the mean.
-    const Vec3 out = this->Sample[numbers[i]] - mean;
-    const bool flip = (direction.dot(out) < 0.0) != (((hash >> 40) & 1) != 0);
-    direction *= chosen[i] < 2 ? 0.0 : flip ? -1.0 : 1.0;
-    this->Judged += direction.isZero(0.0) ? 0 : 1;
-  }
-}
-
-Buffer<Vec3> CloudRisk::Run(const PointDenoisingSettings& settings, Buffer<Vec3> positions,
-  Execution& execution) const
-{
-  PointCloud cloud;
-  cloud.Positions = std::move(positions);
-  cloud.Normals = this->Normals;
-  PointDenoisingReport report;
-  return DenoisePoints(cloud, settings, report, execution) ? std::move(cloud.Positions)
-                                                           : Buffer<Vec3>();
 }
 
 StepStatistics CloudRisk::StepsOf(const PointDenoisingSettings& settings,
   Execution& execution) const
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const Buffer<Vec3>& before = this->Sample;
+  const Buffer<Vec3>& before = this->Sample.Positions;
+  const Buffer<Vec3>& directions = this->Sample.Directions;
+  const Buffer<Index>& judged = this->Sample.Judged;
   auto movedBy = [&](double step)
   {
     Buffer<Vec3> moved = before;
-    for (std::size_t i = 0; i < moved.size(); ++i)
+    for (const Index i : judged)
     {
-      moved[i] += step * this->Directions[i];
+      moved[i] += step * directions[i];
     }
-    return this->Run(settings, std::move(moved), execution);
+    return this->Sample.Denoise(settings, std::move(moved), execution);
   };
   const Buffer<Vec3> plus = movedBy(this->Step);
   const Buffer<Vec3> minus = plus.empty() ? Buffer<Vec3>() : movedBy(-this->Step);
-  if (minus.empty() || this->Judged == 0)
+  if (minus.empty() || judged.empty())
   {
     return { none, none };
   }
-  auto along = [&](const Buffer<Vec3>& after, std::size_t i)
-  { return this->Directions[i].dot(after[i] - before[i]); };
-  const double squares = OrderedSum(execution, before.size(), 0.0,
-    [&](std::size_t i)
-    {
-      const double up = along(plus, i);
-      const double down = along(minus, i);
-      return (up * up + down * down) / 2.0;
-    });
-  const double derivatives = OrderedSum(execution, before.size(), 0.0,
-    [&](std::size_t i) { return (along(plus, i) - along(minus, i)) / (2.0 * this->Step); });
-  const double judged = static_cast<double>(this->Judged);
-  return { squares / judged, derivatives / judged };
+  StepStatistics sums = { 0.0, 0.0 };
+  for (const Index i : judged)
+  {
+    const double up = directions[i].dot(plus[i] - before[i]);
+    const double down = directions[i].dot(minus[i] - before[i]);
+    sums.Squares += (up * up + down * down) / 2.0;
+    sums.Derivative += (up - down) / (2.0 * this->Step);
+  }
+  const double number = static_cast<double>(judged.size());
+  return { sums.Squares / number, sums.Derivative / number };
 }
 
 }

@@ -25,8 +25,7 @@
 #ifndef SurfaceDenoising_CloudRisk_h
 #define SurfaceDenoising_CloudRisk_h
 
-#include "Automatic/CloudNoise.h"
-#include "Points/PointDenoising.h"
+#include "Automatic/CloudSample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,27 +57,17 @@ struct StepStatistics
 class CloudRisk
 {
 public:
-  /**
-   * Takes samples of the points: so many parts of 800, of which the inner 450 are judged, or all
-   * points if there are not more; of clouds in rows (CloudNoise.h) half as many parts of twice the
-   * size. They and the signs h_i follow from the distances of the points from their mean, so that
-   * they do not depend on how the cloud is turned. All points must be finite. The deviation is a
-   * length; of the noise only the spacing and the widening count.
-   */
+  /// On such a sample of the points, see there, under noise of this deviation, a length.
   CloudRisk(const Buffer<Vec3>& points, const CloudNoise& noise, double deviation,
     std::size_t parts, Execution& execution)
     : CloudRisk(points, {}, noise, deviation, parts, execution)
   {
   }
 
-  /// The same with normals that methods may start from, one per point or none.
   CloudRisk(const Buffer<Vec3>& points, const Buffer<Vec3>& normals, const CloudNoise& noise,
     double deviation, std::size_t parts, Execution& execution);
 
-  /// False if there are so few points to judge that risks mean little.
-  bool IsMeaningful() const { return this->Judged >= 50; }
-
-  std::size_t NumberOfPoints() const { return this->Sample.size(); }
+  const CloudSample& GetSample() const { return this->Sample; }
 
   /// The steps of a method. NaN if nothing can be judged or the execution asked to stop.
   StepStatistics StepsOf(const PointDenoisingSettings& settings, Execution& execution) const;
@@ -90,15 +79,9 @@ public:
   }
 
 private:
-  Buffer<Vec3> Run(const PointDenoisingSettings& settings, Buffer<Vec3> positions,
-    Execution& execution) const;
-
+  CloudSample Sample;
   double Deviation;
   double Step; ///< e
-  Buffer<Vec3> Sample;
-  Buffer<Vec3> Normals;    ///< that came with the points, if any
-  Buffer<Vec3> Directions; ///< h_i n_i; zero for points that are not judged
-  std::size_t Judged = 0;
 };
 
 }

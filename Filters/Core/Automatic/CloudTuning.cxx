@@ -90,7 +90,7 @@ bool TuneForCloud(const PointCloud& cloud, OpenSettings& open,
     const Buffer<Vec3> normals =
       cloud.Normals.empty() ? Buffer<Vec3>() : Gather(cloud.Normals, inliers);
     const CloudRisk rough(points, normals, noise, noise.Deviation, TrialParts, execution);
-    report.NoNoiseFound = !rough.IsMeaningful();
+    report.NoNoiseFound = !rough.GetSample().IsMeaningful();
     if (!report.NoNoiseFound)
     {
       CloudJudge first(rough, settings);
@@ -102,7 +102,7 @@ bool TuneForCloud(const PointCloud& cloud, OpenSettings& open,
       const CloudRisk fine(points, normals, noise, noise.Deviation, FineParts, execution);
       CloudJudge second(fine, settings);
       ProgressShare confirming(execution, 0.7, 1.0);
-      if (fine.NumberOfPoints() > rough.NumberOfPoints() &&
+      if (fine.GetSample().Positions.size() > rough.GetSample().Positions.size() &&
         !open.Confirm(first, second, confirming))
       {
         return false;
