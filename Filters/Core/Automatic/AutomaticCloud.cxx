@@ -5,6 +5,7 @@
 
 #include "Automatic/CloudCandidates.h"
 #include "Automatic/CloudRisk.h"
+#include "Automatic/CloudTrials.h"
 #include "Automatic/ProgressShare.h"
 #include "Automatic/SurfaceStep.h"
 #include "InterruptedExecution.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 namespace SurfaceDenoising
 {
@@ -27,9 +29,9 @@ constexpr std::size_t FineParts = 10;
 
 /// The first of those nearly alike with the least risk, or their number if all are worse than
 /// leaving the points alone.
-std::size_t LeastRisk(const std::vector<StepStatistics>& steps, double deviation, double& least)
+std::size_t LeastRisk(const std::vector<StepStatistics>& steps, double deviation)
 {
-  least = 1.0;
+  double least = 1.0;
   std::size_t best = steps.size();
   for (std::size_t k = 0; k < steps.size(); ++k)
   {
@@ -52,6 +54,57 @@ double Revised(double deviation, double strength, const StepStatistics& steps)
   constexpr double gentle = 0.45;
   const double most = steps.Derivative < gentle ? 1.2 : 1.0;
   return deviation * std::clamp(strength * steps.RemovedNoise() / deviation, 0.8, most);
+}
+
+/// Methods that may be alike by their risks, and the surfaces to try them on.
+constexpr std::size_t TriedMethods = 6;
+constexpr std::size_t TrialSurfaces = 3;
+
+/// Of those that are not far from the least risk, the one that leaves the least distances in
+/// trials. The best by risks is among the steps.
+std::size_t LeastDistance(const std::vector<CloudCandidate>& candidates,
+  const std::vector<StepStatistics>& steps, std::size_t best, double deviation, CloudTrials& trials,
+  Execution& execution)
+{
+  // A third of what the trials count, for the root of the risk.
+  constexpr double weight = 0.15;
+  constexpr double hardlyAny = 0.05;
+  auto riskOf = [&](std::size_t k) { return steps[k].Risk(deviation); };
+  // Surfaces that methods made have no detail that these would not know: what takes away much of it
+  // has a large risk, and is not tried.
+  const double least = std::max(0.0, riskOf(best));
+  const double most = least + 0.15 * (1.0 - least);
+  std::vector<std::size_t> alike;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+  {
+    if (riskOf(k) <= most)
+    {
+      alike.push_back(k);
+    }
+  }
+  if (alike.size() < 2)
+  {
+    return best;
+  }
+  std::stable_sort(alike.begin(), alike.end(),
+    [&](std::size_t a, std::size_t b) { return riskOf(a) < riskOf(b); });
+  alike.resize(std::min(alike.size(), TriedMethods));
+  for (std::size_t n = 0; n < std::min(alike.size(), TrialSurfaces); ++n)
+  {
+    trials.AddSurface(candidates[alike[n]].Settings, execution);
+  }
+  double leastLoss = std::numeric_limits<double>::infinity();
+  for (const std::size_t k : alike)
+  {
+    const double loss = trials.LogDistance(candidates[k].Settings, execution) +
+      weight * std::log(hardlyAny + std::max(0.0, riskOf(k)));
+    if (loss < leastLoss)
+    {
+      leastLoss = loss;
+      best = k;
+    }
+  }
+  return best;
 }
 
 /// Places of outliers on the surface of the denoised points; those farther away than reach stay.
@@ -115,16 +168,17 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, const CloudNoise& noise, 
     steps.push_back(rough.StepsOf(candidate.Settings, execution));
     risks.push_back(steps.back().Risk(deviation));
   }
+  std::optional<CloudRisk> fine;
   if (rough.GetSample().Positions.size() < points.size())
   {
     // What is far behind on a small sample need not be tried on a larger one.
     const double limit = 0.1 + 1.3 * std::max(0.0, *std::min_element(risks.begin(), risks.end()));
-    const CloudRisk fine(points, noise, deviation, FineParts, execution);
+    fine.emplace(points, noise, deviation, FineParts, execution);
     for (std::size_t k = 0; k < steps.size() && execution.Proceed(0.0); ++k)
     {
       if (risks[k] < limit)
       {
-        steps[k] = fine.StepsOf(candidates[k].Settings, execution);
+        steps[k] = fine->StepsOf(candidates[k].Settings, execution);
       }
       else
       {
@@ -133,10 +187,17 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, const CloudNoise& noise, 
     }
   }
   double least = 1.0;
-  std::size_t best = LeastRisk(steps, deviation, least);
+  std::size_t best = LeastRisk(steps, deviation);
   if (best < steps.size())
   {
-    best = LeastRisk(steps, Revised(deviation, strength, steps[best]), least);
+    const double revised = Revised(deviation, strength, steps[best]);
+    best = LeastRisk(steps, revised);
+    if (best < steps.size() && execution.Proceed(0.0))
+    {
+      CloudTrials trials((fine ? *fine : rough).GetSample(), noise.Widening, revised);
+      best = LeastDistance(candidates, steps, best, revised, trials, execution);
+      least = steps[best].Risk(revised);
+    }
   }
   const char* kind = "";
   if (best < steps.size())

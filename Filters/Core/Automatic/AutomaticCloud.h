@@ -7,13 +7,15 @@
  * outliers.
  *
  * 1. EstimateNoise tells the noise level and the outliers.
- * 2. A dozen candidates and as many more if the noise is strong, from a sharp filter of few
- *    neighbours to a smooth one of many, are tried on samples of the cloud: all on 2400 points,
- *    those that are not far behind on 8000. The one with the least estimated risk (CloudRisk.h) is
- *    chosen, or none if none is better than leaving the points alone. What it removes tells the
- *    noise better: the choice is made once more with that, of 0.8 to 1.2 times the first noise.
- *    Points in rows (CloudNoise.h) take w times as many neighbours, up to 200, for normals, and are
- *    tried with as many more for everything else, too: twice as many candidates.
+ * 2. A dozen candidates and as many more if the noise is strong (CloudCandidates.h), from a sharp
+ *    filter of few neighbours to a smooth one of many, are tried on samples of the cloud: all on
+ *    2400 points, those that are not far behind on 8000. The one with the least estimated risk
+ *    (CloudRisk.h) suits, or none if none is better than leaving the points alone. What it removes
+ *    tells the noise better: the choice is made once more with that, of 0.8 to 1.2 times the first
+ *    noise. Up to six with a risk R of at most r + 0.15 (1 - r), where r is the least, are tried on
+ *    surfaces that the best three made (CloudTrials.h). The one with the least distances is chosen:
+ *    with the least sum of their logarithm and 0.15 log(R + 0.05). Points in rows (CloudNoise.h)
+ *    take twice as many candidates.
  * 3. It runs on all points but the outliers, which so have no say in the fits of their neighbours.
  * 4. Outliers up to ten spacings from the surface of the nearest denoised points (SurfaceStep.h) go
  *    there. Those that are farther away stay where they are, marked as kept: they are no part of

@@ -28,9 +28,6 @@ constexpr double ColourCost = 0.75;
 /// What a folded edge adds to the mean angle of faces, in degrees: an edge for one and a half
 /// faces.
 constexpr double FoldAngle = 250.0;
-/// Of a logarithm of the error beyond that of the best for a truth: what is worse by a third is bad
-/// enough for one truth to say so.
-constexpr double LargestRegret = 0.3;
 /// A gain below this is not certain: the error must fall to this share of that of the input.
 constexpr double LargestError = 0.9;
 /// If noise and detail can be confused, the same for any other truth than those that count.
@@ -132,28 +129,13 @@ bool ChainTrials::CostOfShape(std::size_t candidate, const Trial& trial, double 
   return true;
 }
 
-/// Drops candidates that cannot become the best any more, whatever truths of this weight say.
-void ChainTrials::Drop(double weight, std::vector<Score>& scores)
-{
-  double least = Infinite;
-  for (const Score& score : scores)
-  {
-    least = std::min(least, score.Regret());
-  }
-  const double limit = least + weight * LargestRegret;
-  for (Score& score : scores)
-  {
-    score.Dropped = score.Regret() > limit;
-  }
-}
-
-/// Tries the candidates that were not dropped on a truth.
+/// Tries the candidates that can still be the best on a truth.
 bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double weight,
-  std::vector<Score>& scores, Execution& execution)
+  Scores& scores, Execution& execution)
 {
   const TriangleMesh noisy = this->Surfaces.WithNoise(truth, strength, execution);
   const double before = this->AngleTo(truth, noisy, this->Surfaces.ShareOfFolds(), execution);
-  const std::size_t count = scores.size();
+  const std::size_t count = scores.Errors.size();
   const double part = 0.5 / double(count);
   std::vector<Trial> trials(count);
   std::vector<double> costs(count, Infinite); // logarithms of errors, and what is added to them
@@ -161,7 +143,7 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
   for (std::size_t k = 0; k < count; ++k)
   {
     ProgressShare share(execution, double(k) * part, double(k + 1) * part);
-    if (scores[k].Dropped)
+    if (!scores.Regrets.IsOpen(k))
     {
       continue;
     }
@@ -170,7 +152,7 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
       return false;
     }
     costs[k] = LogarithmOfAngles(trials[k].Angle, before);
-    scores[k].Errors += weight * costs[k];
+    scores.Errors[k] += weight * costs[k];
     order.push_back(k);
   }
   std::stable_sort(order.begin(), order.end(),
@@ -181,7 +163,7 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
     const std::size_t k = order[n];
     ProgressShare share(execution, 0.5 + double(n) * part, 0.5 + double(n + 1) * part);
     // What is added makes no difference to those that are far behind.
-    if (this->Doubt > 0.0 && costs[k] < best + LargestRegret)
+    if (this->Doubt > 0.0 && costs[k] < best + TruncatedRegret::Largest)
     {
       // Removed from as much noise as the input has, as far as what is removed is proportional.
       trials[k].Removed.Size /= strength;
@@ -194,10 +176,7 @@ bool ChainTrials::TryAll(const PlausibleSurface& truth, double strength, double 
     }
     best = std::min(best, costs[k]);
   }
-  for (const std::size_t k : order)
-  {
-    scores[k].Regrets += weight * std::min(LargestRegret, costs[k] - best);
-  }
+  scores.Regrets.AddRound(weight, costs);
   return true;
 }
 
@@ -257,16 +236,19 @@ std::vector<ChainTrials::WeightedTruth> ChainTrials::TruthsThatCount() const
 bool ChainTrials::Choose(double strength, TrialResult& result, Execution& execution)
 {
   const std::vector<WeightedTruth> truths = this->TruthsThatCount();
-  // Of this truth and all after it.
-  std::vector<double> weights(truths.size() + 1, 0.0);
-  for (std::size_t t = truths.size(); t-- > 0;)
+  double weight = 0.0;
+  for (const WeightedTruth& truth : truths)
   {
-    weights[t] = weights[t + 1] + truths[t].Weight;
+    weight += truth.Weight;
   }
-  std::vector<Score> scores(this->Candidates.size());
-  for (std::size_t k = 0; k < scores.size(); ++k)
+  const std::size_t count = this->Candidates.size();
+  Scores scores = { std::vector<double>(count, 0.0), TruncatedRegret(count, weight) };
+  for (std::size_t k = 0; k < count; ++k)
   {
-    scores[k].Dropped = !this->Surfaces.IsWorthATrial(*this->Candidates[k]);
+    if (!this->Surfaces.IsWorthATrial(*this->Candidates[k]))
+    {
+      scores.Regrets.Exclude(k);
+    }
   }
   const double part = 1.0 / double(truths.size());
   for (std::size_t t = 0; t < truths.size(); ++t)
@@ -276,12 +258,9 @@ bool ChainTrials::Choose(double strength, TrialResult& result, Execution& execut
     {
       return false;
     }
-    Drop(weights[t + 1], scores);
   }
-  const auto best = std::min_element(scores.begin(), scores.end(),
-    [](const Score& a, const Score& b) { return a.Regret() < b.Regret(); });
-  result.Best = std::size_t(best - scores.begin());
-  result.Error = std::exp(best->Errors / weights[0]);
+  result.Best = scores.Regrets.Best();
+  result.Error = std::exp(scores.Errors[result.Best] / weight);
   return true;
 }
 

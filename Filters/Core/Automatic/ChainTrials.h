@@ -11,11 +11,9 @@
  *
  * The error e is that on y as far as T and the noise are like the real ones. Of many T, see
  * PlausibleSurfaces, the two with the least sum s of those that chains for each type of surface
- * made count, each by exp(-s / 0.025), if s is at most 0.075 above the least. Averaged is how much
- * larger the logarithm of the error is than that of the best chain for T, but 0.3 at most: a
- * truncated loss, so that no truth decides alone, as one that is too smooth would, on which smooth
- * chains are many times better than others. A chain is given up as soon as the truths that are left
- * cannot make it the best any more.
+ * made count, each by exp(-s / 0.025), if s is at most 0.075 above the least. What they say of the
+ * logarithm of the error is added up by TruncatedRegret: or a truth that is too smooth would decide
+ * alone, on which smooth chains are many times better than others.
  *
  * What a chain removes from y beyond what it removes from T with noise is shape, whose loss T did
  * not foretell. With r the root mean square of what is removed, v how much larger r^2 is for y, c
@@ -36,6 +34,7 @@
 #define SurfaceDenoising_ChainTrials_h
 
 #include "PlausibleSurfaces.h"
+#include "TruncatedRegret.h"
 
 #include <limits>
 
@@ -94,17 +93,11 @@ private:
     double Deviation = 0.0; ///< the root of the difference of the squares, a length
   };
 
-  /// What the trials say of a candidate, weighted sums.
-  struct Score
+  /// What the trials say of the candidates.
+  struct Scores
   {
-    double Errors = 0.0;  ///< of the logarithms of the errors
-    double Regrets = 0.0; ///< of what the best for a truth is better by, truncated
-    bool Dropped = false; ///< cannot be the best
-
-    double Regret() const
-    {
-      return this->Dropped ? std::numeric_limits<double>::infinity() : this->Regrets;
-    }
+    std::vector<double> Errors; ///< weighted sums of their logarithms
+    TruncatedRegret Regrets;
   };
 
   /// A truth that candidates are tried on, and what it counts.
@@ -122,9 +115,8 @@ private:
   bool Compare(std::size_t candidate, const Trial& trial, Surplus& surplus, Execution& execution);
   bool CostOfShape(std::size_t candidate, const Trial& trial, double error, double deviation,
     double& cost, Execution& execution);
-  static void Drop(double weight, std::vector<Score>& scores);
-  bool TryAll(const PlausibleSurface& truth, double strength, double weight,
-    std::vector<Score>& scores, Execution& execution);
+  bool TryAll(const PlausibleSurface& truth, double strength, double weight, Scores& scores,
+    Execution& execution);
   std::vector<WeightedTruth> TruthsThatCount() const;
   bool Choose(double strength, TrialResult& result, Execution& execution);
   double DoubtAbout(const PlausibleSurface& truth, double strength, Execution& execution) const;

@@ -21,10 +21,12 @@ PointDenoisingSettings LeastSquares(int neighbors)
   return settings;
 }
 
-PointDenoisingSettings RobustPlanes(int neighbors)
+PointDenoisingSettings RobustPlanes(int neighbors, int forNormals, int iterations)
 {
   PointDenoisingSettings settings = SettingsOf(PointMethod::MovingRobustPCA);
-  settings.Neighborhood.Count = settings.Normals.NumberOfNeighbors = neighbors;
+  settings.Neighborhood.Count = neighbors;
+  settings.Normals.NumberOfNeighbors = forNormals;
+  settings.OuterIterations = iterations;
   return settings;
 }
 
@@ -66,19 +68,24 @@ const std::vector<CloudCandidate>& Candidates()
         Composed(24, 36, 2.0, 0.5, 2, 5) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(24, 36, 2.0, 0.2, 10, 10) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(40, 40, 3.0, 0.35, 3, 5) },
-      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(30) },
-      { planes, "sharp-edged", SurfaceType::Sharp, 0.3, any, RobustPlanes(60) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(30, 30, 5) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.3, any, RobustPlanes(60, 60, 5) },
       { composer, "smooth", SurfaceType::Curved, 0.3, any, Composed(80, 80, 3.0, 0.5, 1, 2) },
       { composer, "smooth", SurfaceType::Curved, 0.4, any, Composed(80, 48, 3.0, 1.0, 3, 5) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(16, 48, 1.5, 0.2, 10, 10) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(40, 48, 3.0, 0.2, 10, 10) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.3, any, Composed(80, 96, 3.0, 0.2, 3, 5) },
       { composer, "sharp-edged", SurfaceType::Sharp, 0.4, any, Composed(40, 96, 3.0, 0.2, 10, 10) },
-      { planes, "sharp-edged", SurfaceType::Sharp, 0.5, any, RobustPlanes(100) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.5, any, RobustPlanes(100, 100, 5) },
       { composer, "smooth", SurfaceType::Curved, 0.2, any, Composed(16, 96, 1.5, 1.0, 3, 5) },
       { composer, "smooth", SurfaceType::Curved, 0.2, any, Composed(40, 48, 3.0, 1.0, 10, 10) },
       { squares, "smooth", SurfaceType::Curved, 0.2, any, LeastSquares(100) },
       { squares, "smooth", SurfaceType::Curved, 0.4, any, LeastSquares(200) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(30, 16, 1) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(30, 16, 3) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, 0.6, RobustPlanes(16, 16, 5) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.0, any, RobustPlanes(16, 24, 5) },
+      { planes, "sharp-edged", SurfaceType::Sharp, 0.1, any, RobustPlanes(30, 48, 5) },
     };
     for (CloudCandidate& candidate : all)
     {

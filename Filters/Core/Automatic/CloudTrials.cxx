@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Automatic/CloudTrials.h"
+
+#include "Points/PointNeighbors.h"
+#include "Points/PointNormals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SurfaceDenoising
+{
+
+namespace
+{
+
+/// That tangent planes of a surface without noise come from.
+constexpr std::size_t PlaneNeighbors = 12;
+
+/// A distance in deviations that is as good as none.
+constexpr double LeastDistance = 1e-3;
+
+}
+
+void CloudTrials::AddSurface(const PointDenoisingSettings& method, Execution& execution)
+{
+  const Buffer<Index>& judged = this->Sample.Judged;
+  Surface surface;
+  surface.Positions = this->Sample.Denoise(method, this->Sample.Positions, execution);
+  if (surface.Positions.empty())
+  {
+    return;
+  }
+  auto removed = [&](Index i)
+  { return this->Sample.Directions[i].dot(this->Sample.Positions[i] - surface.Positions[i]); };
+  double squares = 0.0;
+  for (const Index i : judged)
+  {
+    squares += removed(i) * removed(i);
+  }
+  if (!(squares > 0.0))
+  {
+    return;
+  }
+  const double scale = this->Deviation / std::sqrt(squares / static_cast<double>(judged.size()));
+  // The order of the points that are judged is random: the next one but some has nothing to do with
+  // a point. The others, around them, take what the first ones have.
+  surface.Noisy = surface.Positions;
+  std::size_t next = this->Surfaces.size() + 1;
+  Buffer<unsigned char> isJudged(surface.Positions.size(), 0);
+  for (const Index i : judged)
+  {
+    isJudged[i] = 1;
+    surface.Noisy[i] +=
+      scale * removed(judged[next++ % judged.size()]) * this->Sample.Directions[i];
+  }
+  for (std::size_t i = 0; i < isJudged.size(); ++i)
+  {
+    if (!isJudged[i])
+    {
+      surface.Noisy[i] +=
+        scale * removed(judged[next++ % judged.size()]) * this->Sample.Directions[i];
+    }
+  }
+  const std::size_t neighbors = this->Widening * PlaneNeighbors;
+  surface.Normals = PlaneFitNormals(surface.Positions,
+    NearestPoints(surface.Positions, neighbors, execution), neighbors, execution);
+  this->Surfaces.push_back(std::move(surface));
+}
+
+double CloudTrials::LogDistance(const PointDenoisingSettings& method, Execution& execution) const
+{
+  double sum = 0.0;
+  for (const Surface& surface : this->Surfaces)
+  {
+    const Buffer<Vec3> result = this->Sample.Denoise(method, surface.Noisy, execution);
+    if (result.empty())
+    {
+      return 0.0;
+    }
+    double distance = 0.0;
+    for (const Index i : this->Sample.Judged)
+    {
+      distance += std::abs(surface.Normals[i].dot(result[i] - surface.Positions[i]));
+    }
+    distance /= this->Deviation * static_cast<double>(this->Sample.Judged.size());
+    sum += std::log(std::max(distance, LeastDistance));
+  }
+  return this->Surfaces.empty() ? 0.0 : sum / static_cast<double>(this->Surfaces.size());
+}
+
+}

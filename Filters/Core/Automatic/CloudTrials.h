@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @file CloudTrials.h
+ * @brief Which of several methods leaves points nearest to the surface, where risks are alike.
+ *
+ * The risk (CloudRisk.h) is of squares: a few points far off the surface decide. And it is that
+ * under noise that is a little more even than the noise of the cloud. So it hardly tells methods
+ * apart that keep most points closer, but give up a few. Trials do: what a method made of a sample
+ * is taken for a surface; what it removed, in another order, is added again as noise; and what is
+ * left after a method is measured. As each surface favours the method that it comes from, several
+ * are made. For meshes see PlausibleSurfaces.h.
+ */
+
+#ifndef SurfaceDenoising_CloudTrials_h
+#define SurfaceDenoising_CloudTrials_h
+
+#include "Automatic/CloudSample.h"
+
+#include <vector>
+
+namespace SurfaceDenoising
+{
+
+class CloudTrials
+{
+public:
+  /// On a sample of a cloud with this widening (CloudNoise.h), which must outlive the trials, under
+  /// noise of this deviation, a length.
+  CloudTrials(const CloudSample& sample, std::size_t widening, double deviation)
+    : Sample(sample)
+    , Widening(widening)
+    , Deviation(deviation)
+  {
+  }
+
+  /// Adds what the method makes of the sample to the surfaces, unless it leaves the points alone.
+  void AddSurface(const PointDenoisingSettings& method, Execution& execution);
+
+  /**
+   * The logarithm of the mean distance, in deviations of the noise, that a method leaves between
+   * the points to be judged and the tangent planes of their places on a surface, averaged over the
+   * surfaces: 0 without any. Of no use if the execution asks to stop.
+   */
+  double LogDistance(const PointDenoisingSettings& method, Execution& execution) const;
+
+private:
+  struct Surface
+  {
+    Buffer<Vec3> Positions;
+    Buffer<Vec3> Normals;
+    Buffer<Vec3> Noisy; ///< the positions with noise
+  };
+
+  const CloudSample& Sample;
+  std::size_t Widening;
+  double Deviation;
+  std::vector<Surface> Surfaces;
+};
+
+}
+
+#endif
