@@ -37,7 +37,7 @@ protected:
     CloudNoise noise;
     noise.Spacing = 1.0;
     this->Sample.emplace(points, Buffer<Vec3>(), noise, 0.2, 3, this->Serial);
-    this->Trials.emplace(*this->Sample, 1, 0.2);
+    this->Trials.emplace(*this->Sample, 0.2);
     this->Trials->AddSurface(maker, this->Serial);
   }
 

@@ -192,12 +192,14 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, const CloudNoise& noise, 
   {
     const double revised = Revised(deviation, strength, steps[best]);
     best = LeastRisk(steps, revised);
-    if (best < steps.size() && execution.Proceed(0.0))
+    // What reaches beyond a row may draw two sides together. On surfaces that have become one so,
+    // it would do no harm any more.
+    if (best < steps.size() && noise.Widening == 1 && execution.Proceed(0.0))
     {
-      CloudTrials trials((fine ? *fine : rough).GetSample(), noise.Widening, revised);
+      CloudTrials trials((fine ? *fine : rough).GetSample(), revised);
       best = LeastDistance(candidates, steps, best, revised, trials, execution);
-      least = steps[best].Risk(revised);
     }
+    least = best < steps.size() ? steps[best].Risk(revised) : 1.0;
   }
   const char* kind = "";
   if (best < steps.size())

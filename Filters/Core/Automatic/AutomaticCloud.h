@@ -15,7 +15,7 @@
  *    noise. Up to six with a risk R of at most r + 0.15 (1 - r), where r is the least, are tried on
  *    surfaces that the best three made (CloudTrials.h). The one with the least distances is chosen:
  *    with the least sum of their logarithm and 0.15 log(R + 0.05). Points in rows (CloudNoise.h)
- *    take twice as many candidates.
+ *    take twice as many candidates, and no trials.
  * 3. It runs on all points but the outliers, which so have no say in the fits of their neighbours.
  * 4. Outliers up to ten spacings from the surface of the nearest denoised points (SurfaceStep.h) go
  *    there. Those that are farther away stay where they are, marked as kept: they are no part of

@@ -63,9 +63,8 @@ void CloudTrials::AddSurface(const PointDenoisingSettings& method, Execution& ex
         scale * removed(judged[next++ % judged.size()]) * this->Sample.Directions[i];
     }
   }
-  const std::size_t neighbors = this->Widening * PlaneNeighbors;
   surface.Normals = PlaneFitNormals(surface.Positions,
-    NearestPoints(surface.Positions, neighbors, execution), neighbors, execution);
+    NearestPoints(surface.Positions, PlaneNeighbors, execution), PlaneNeighbors, execution);
   this->Surfaces.push_back(std::move(surface));
 }
 

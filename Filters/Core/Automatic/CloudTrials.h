@@ -26,11 +26,10 @@ namespace SurfaceDenoising
 class CloudTrials
 {
 public:
-  /// On a sample of a cloud with this widening (CloudNoise.h), which must outlive the trials, under
-  /// noise of this deviation, a length.
-  CloudTrials(const CloudSample& sample, std::size_t widening, double deviation)
+  /// On a sample, which must outlive the trials, of a cloud that has no points in rows
+  /// (CloudNoise.h), under noise of this deviation, a length.
+  CloudTrials(const CloudSample& sample, double deviation)
     : Sample(sample)
-    , Widening(widening)
     , Deviation(deviation)
   {
   }
@@ -54,7 +53,6 @@ private:
   };
 
   const CloudSample& Sample;
-  std::size_t Widening;
   double Deviation;
   std::vector<Surface> Surfaces;
 };
