@@ -38,12 +38,12 @@ protected:
     noise.Spacing = 1.0;
     this->Sample.emplace(points, Buffer<Vec3>(), noise, 0.2, 3, this->Serial);
     this->Trials.emplace(*this->Sample, 0.2);
-    this->Trials->AddSurface(maker, this->Serial);
+    EXPECT_TRUE(this->Trials->AddSurface(maker, this->Serial));
   }
 
   double LogDistance(const PointDenoisingSettings& settings)
   {
-    return this->Trials->LogDistance(settings, this->Serial);
+    return this->Trials->LogDistance(0, settings, this->Serial);
   }
 
   Execution Serial;
@@ -80,13 +80,17 @@ TEST_F(CloudTrialsOnAWedge, TellsWhatKeepsTheEdge)
   EXPECT_LT(ofSharp, this->LogDistance(LeastSquares(30)) - 0.2);
   EXPECT_LT(this->LogDistance(LeastSquares(30)), this->LogDistance(Untouched()) - 0.2);
 
-  // Averaged over surfaces: one on which the edge is gone favours what rounds it off.
-  this->Trials->AddSurface(LeastSquares(200), this->Serial);
-  EXPECT_GT(this->LogDistance(sharp), ofSharp);
+  // A surface favours what it comes from.
+  const PointDenoisingSettings smooth = LeastSquares(200);
+  ASSERT_TRUE(this->Trials->AddSurface(smooth, this->Serial));
+  const double behind = this->Trials->LogDistance(1, smooth, this->Serial) -
+    this->Trials->LogDistance(1, sharp, this->Serial);
+  EXPECT_LT(behind, this->LogDistance(smooth) - ofSharp - 0.05);
 }
 
-TEST_F(CloudTrialsOnAWedge, OnlySurfacesWithoutSomeNoiseCount)
+TEST_F(CloudTrialsOnAWedge, WhatLeavesPointsAloneMakesNoSurface)
 {
-  this->Start(this->Wedge.Positions, Untouched());
-  EXPECT_EQ(this->LogDistance(LeastSquares(30)), 0.0);
+  this->Start(this->Wedge.Positions, SettingsOf(PointMethod::MovingRobustPCA));
+  EXPECT_FALSE(this->Trials->AddSurface(Untouched(), this->Serial));
+  EXPECT_EQ(this->Trials->NumberOfSurfaces(), 1u);
 }

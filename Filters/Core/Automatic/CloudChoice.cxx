@@ -52,19 +52,15 @@ double Revised(double deviation, double strength, const StepStatistics& steps)
   return deviation * std::clamp(strength * steps.RemovedNoise() / deviation, 0.8, most);
 }
 
-/// Methods that may be alike by their risks, and the surfaces to try them on.
-constexpr std::size_t TriedMethods = 6;
-constexpr std::size_t TrialSurfaces = 3;
+/// Methods that are tried beside the best by risks, and those of them that make surfaces, as it
+/// does.
+constexpr std::size_t OthersTried = 5;
+constexpr std::size_t OtherSurfaces = 2;
 
-/// Of those that are not far from the least risk, the one that leaves the least distances in
-/// trials. The best by risks is among the steps.
-std::size_t LeastDistance(const std::vector<CloudCandidate>& candidates,
-  const std::vector<StepStatistics>& steps, std::size_t best, double deviation, CloudTrials& trials,
-  Execution& execution)
+/// Those whose risk is not far from that of the best, the lesser first.
+std::vector<std::size_t> FindAlike(const std::vector<StepStatistics>& steps, std::size_t best,
+  double deviation)
 {
-  // A third of what the trials count, for the root of the risk.
-  constexpr double weight = 0.15;
-  constexpr double hardlyAny = 0.05;
   auto riskOf = [&](std::size_t k) { return steps[k].Risk(deviation); };
   // Surfaces that methods made have no detail that these would not know: what takes away much of it
   // has a large risk, and is not tried.
@@ -73,34 +69,64 @@ std::size_t LeastDistance(const std::vector<CloudCandidate>& candidates,
   std::vector<std::size_t> alike;
   for (std::size_t k = 0; k < steps.size(); ++k)
   {
-    if (riskOf(k) <= most)
+    if (k != best && riskOf(k) <= most)
     {
       alike.push_back(k);
     }
   }
-  if (alike.size() < 2)
-  {
-    return best;
-  }
   std::stable_sort(alike.begin(), alike.end(),
     [&](std::size_t a, std::size_t b) { return riskOf(a) < riskOf(b); });
-  alike.resize(std::min(alike.size(), TriedMethods));
-  for (std::size_t n = 0; n < std::min(alike.size(), TrialSurfaces); ++n)
+  alike.resize(std::min(alike.size(), OthersTried));
+  return alike;
+}
+
+/// Of the best by risks and those that are alike, the one that leaves the least distances in
+/// trials: the best by risks unless another one leaves clearly less.
+std::size_t LeastDistance(const std::vector<CloudCandidate>& candidates, std::size_t best,
+  const std::vector<std::size_t>& alike, CloudTrials& trials, Execution& execution)
+{
+  // Of a logarithm: less is chance.
+  const double clearly = 2.2 / std::sqrt(static_cast<double>(trials.NumberOfJudged()));
+  std::vector<std::size_t> makers;
+  std::vector<double> ofBest;
+  auto addSurface = [&](std::size_t maker)
   {
-    trials.AddSurface(candidates[alike[n]].Settings, execution);
+    if (trials.AddSurface(candidates[maker].Settings, execution))
+    {
+      ofBest.push_back(trials.LogDistance(makers.size(), candidates[best].Settings, execution));
+      makers.push_back(maker);
+    }
+  };
+  addSurface(best);
+  for (std::size_t n = 0; n < std::min(alike.size(), OtherSurfaces); ++n)
+  {
+    addSurface(alike[n]);
   }
-  double leastLoss = std::numeric_limits<double>::infinity();
+  // What others leave of the noise looks like detail that the best takes away: its own surface,
+  // which favours it, counts as well.
+  auto kindOf = [&](std::size_t k) { return candidates[k].Settings.Operator.index(); };
+  std::size_t found = best;
+  double least = -clearly;
   for (const std::size_t k : alike)
   {
-    const double loss = trials.LogDistance(candidates[k].Settings, execution) +
-      weight * std::log(hardlyAny + std::max(0.0, riskOf(k)));
-    if (loss < leastLoss)
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t surface = 0; surface < makers.size(); ++surface)
     {
-      leastLoss = loss;
-      best = k;
+      const std::size_t maker = makers[surface];
+      if (maker != k && (kindOf(maker) != kindOf(k) || kindOf(best) == kindOf(k)))
+      {
+        sum += trials.LogDistance(surface, candidates[k].Settings, execution) - ofBest[surface];
+        ++count;
+      }
+    }
+    if (count > 0 && sum / static_cast<double>(count) < least)
+    {
+      least = sum / static_cast<double>(count);
+      found = k;
     }
   }
-  return best;
+  return found;
 }
 
 /// Steps on a larger sample, of those that are not far behind on a small one; others lose.
@@ -168,7 +194,8 @@ CloudChoice ChooseForCloud(const Buffer<Vec3>& points, const CloudNoise& noise, 
     if (best < steps.size() && noise.Widening == 1 && execution.Proceed(0.0))
     {
       CloudTrials trials((fine ? *fine : rough).GetSample(), revised);
-      best = LeastDistance(candidates, steps, best, revised, trials, execution);
+      const std::vector<std::size_t> alike = FindAlike(steps, best, revised);
+      best = alike.empty() ? best : LeastDistance(candidates, best, alike, trials, execution);
     }
     choice.Remaining =
       best < steps.size() ? std::sqrt(std::max(0.0, steps[best].Risk(revised))) : 1.0;

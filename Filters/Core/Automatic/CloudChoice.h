@@ -10,10 +10,11 @@
  * 2400 points, those that are not far behind on 8000. The one with the least estimated risk
  * (CloudRisk.h) suits, or none if none is better than leaving the points alone. What it removes
  * tells the noise better: the choice is made once more with that, of 0.8 to 1.2 times the first
- * noise. Up to six with a risk R of at most r + 0.15 (1 - r), where r is the least, are tried on
- * surfaces that the best three made (CloudTrials.h). The one with the least distances is chosen:
- * with the least sum of their logarithm and 0.15 log(R + 0.05). Points in rows (CloudNoise.h)
- * take twice as many candidates, and no trials.
+ * noise. Up to five others with a risk of at most r + 0.15 (1 - r), where r is the least, are tried
+ * beside the best on surfaces that it and the first two of them made (CloudTrials.h). The one that
+ * leaves the least distances is chosen, if the logarithm of them is 2.2 / sqrt(N) less than that of
+ * the best by risks, with N points judged (3% for 5000): the rest is chance. Points in rows
+ * (CloudNoise.h) take twice as many candidates, and no trials.
  */
 
 #ifndef SurfaceDenoising_CloudChoice_h

@@ -23,14 +23,14 @@ constexpr double LeastDistance = 1e-3;
 
 }
 
-void CloudTrials::AddSurface(const PointDenoisingSettings& method, Execution& execution)
+bool CloudTrials::AddSurface(const PointDenoisingSettings& method, Execution& execution)
 {
   const Buffer<Index>& judged = this->Sample.Judged;
   Surface surface;
   surface.Positions = this->Sample.Denoise(method, this->Sample.Positions, execution);
   if (surface.Positions.empty())
   {
-    return;
+    return false;
   }
   auto removed = [&](Index i)
   { return this->Sample.Directions[i].dot(this->Sample.Positions[i] - surface.Positions[i]); };
@@ -41,7 +41,7 @@ void CloudTrials::AddSurface(const PointDenoisingSettings& method, Execution& ex
   }
   if (!(squares > 0.0))
   {
-    return;
+    return false;
   }
   const double scale = this->Deviation / std::sqrt(squares / static_cast<double>(judged.size()));
   // The order of the points that are judged is random: the next one but some has nothing to do with
@@ -66,27 +66,25 @@ void CloudTrials::AddSurface(const PointDenoisingSettings& method, Execution& ex
   surface.Normals = PlaneFitNormals(surface.Positions,
     NearestPoints(surface.Positions, PlaneNeighbors, execution), PlaneNeighbors, execution);
   this->Surfaces.push_back(std::move(surface));
+  return true;
 }
 
-double CloudTrials::LogDistance(const PointDenoisingSettings& method, Execution& execution) const
+double CloudTrials::LogDistance(std::size_t surface, const PointDenoisingSettings& method,
+  Execution& execution) const
 {
-  double sum = 0.0;
-  for (const Surface& surface : this->Surfaces)
+  const Surface& truth = this->Surfaces[surface];
+  const Buffer<Vec3> result = this->Sample.Denoise(method, truth.Noisy, execution);
+  if (result.empty())
   {
-    const Buffer<Vec3> result = this->Sample.Denoise(method, surface.Noisy, execution);
-    if (result.empty())
-    {
-      return 0.0;
-    }
-    double distance = 0.0;
-    for (const Index i : this->Sample.Judged)
-    {
-      distance += std::abs(surface.Normals[i].dot(result[i] - surface.Positions[i]));
-    }
-    distance /= this->Deviation * static_cast<double>(this->Sample.Judged.size());
-    sum += std::log(std::max(distance, LeastDistance));
+    return 0.0;
   }
-  return this->Surfaces.empty() ? 0.0 : sum / static_cast<double>(this->Surfaces.size());
+  double distance = 0.0;
+  for (const Index i : this->Sample.Judged)
+  {
+    distance += std::abs(truth.Normals[i].dot(result[i] - truth.Positions[i]));
+  }
+  distance /= this->Deviation * static_cast<double>(this->Sample.Judged.size());
+  return std::log(std::max(distance, LeastDistance));
 }
 
 }

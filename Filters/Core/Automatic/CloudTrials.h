@@ -9,8 +9,9 @@
  * under noise that is a little more even than the noise of the cloud. So it hardly tells methods
  * apart that keep most points closer, but give up a few. Trials do: what a method made of a sample
  * is taken for a surface; what it removed, in another order, is added again as noise; and what is
- * left after a method is measured. As each surface favours the method that it comes from, several
- * are made. For meshes see PlausibleSurfaces.h.
+ * left after a method is measured. A surface favours the method that it comes from, and those of
+ * its kind: it has what they leave. So it says nothing of these beside others. For meshes see
+ * PlausibleSurfaces.h.
  */
 
 #ifndef SurfaceDenoising_CloudTrials_h
@@ -34,15 +35,20 @@ public:
   {
   }
 
-  /// Adds what the method makes of the sample to the surfaces, unless it leaves the points alone.
-  void AddSurface(const PointDenoisingSettings& method, Execution& execution);
+  /// Adds what the method makes of the sample to the surfaces. Returns false if it leaves the
+  /// points alone or the execution asks to stop: no surface then.
+  bool AddSurface(const PointDenoisingSettings& method, Execution& execution);
+
+  std::size_t NumberOfSurfaces() const { return this->Surfaces.size(); }
+  std::size_t NumberOfJudged() const { return this->Sample.Judged.size(); }
 
   /**
    * The logarithm of the mean distance, in deviations of the noise, that a method leaves between
-   * the points to be judged and the tangent planes of their places on a surface, averaged over the
-   * surfaces: 0 without any. Of no use if the execution asks to stop.
+   * the points to be judged and the tangent planes of their places on a surface. Of no use if the
+   * execution asks to stop.
    */
-  double LogDistance(const PointDenoisingSettings& method, Execution& execution) const;
+  double LogDistance(std::size_t surface, const PointDenoisingSettings& method,
+    Execution& execution) const;
 
 private:
   struct Surface
