@@ -46,7 +46,8 @@ constexpr double LeastKurtosis = 2.9;
 constexpr double QuartileSpread = 3.5;
 
 /// From the lower quartile to the mean: 0.6 of normally distributed noise, 1.1 of noise of all
-/// points in random directions, 2.2 to 3.3 if one point in five is moved, 1.6 and more beside shape.
+/// points in random directions, 2.2 to 3.3 if one point in five is moved, 1.6 and more beside
+/// shape.
 constexpr double MostKurtosisSpread = 1.4;
 
 /// Points that wide fits are made for.
@@ -180,8 +181,8 @@ bool LocalFits::AreOfNoise() const
   {
     return true;
   }
-  const double mean = std::accumulate(kurtoses.begin(), kurtoses.end(), 0.0) /
-    static_cast<double>(kurtoses.size());
+  const double mean =
+    std::accumulate(kurtoses.begin(), kurtoses.end(), 0.0) / static_cast<double>(kurtoses.size());
   const double quartile = Percentile(kurtoses, 0.25);
   const double number = static_cast<double>(this->Widening * FewNeighbors + 1);
   return mean >= LeastKurtosis && quartile >= 3.0 - QuartileSpread / std::sqrt(number) &&
