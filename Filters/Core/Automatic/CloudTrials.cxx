@@ -48,19 +48,19 @@ bool CloudTrials::AddSurface(const PointDenoisingSettings& method, Execution& ex
   // a point. The others, around them, take what the first ones have.
   surface.Noisy = surface.Positions;
   std::size_t next = this->Surfaces.size() + 1;
-  Buffer<unsigned char> isJudged(surface.Positions.size(), 0);
-  for (const Index i : judged)
+  Buffer<unsigned char> hasNoise(surface.Positions.size(), 0);
+  auto addNoise = [&](std::size_t i)
   {
-    isJudged[i] = 1;
-    surface.Noisy[i] +=
-      scale * removed(judged[next++ % judged.size()]) * this->Sample.Directions[i];
-  }
-  for (std::size_t i = 0; i < isJudged.size(); ++i)
+    const double amplitude = scale * removed(judged[next++ % judged.size()]);
+    surface.Noisy[i] += amplitude * this->Sample.Directions[i];
+    hasNoise[i] = 1;
+  };
+  std::for_each(judged.begin(), judged.end(), addNoise);
+  for (std::size_t i = 0; i < hasNoise.size(); ++i)
   {
-    if (!isJudged[i])
+    if (!hasNoise[i])
     {
-      surface.Noisy[i] +=
-        scale * removed(judged[next++ % judged.size()]) * this->Sample.Directions[i];
+      addNoise(i);
     }
   }
   surface.Normals = PlaneFitNormals(surface.Positions,
