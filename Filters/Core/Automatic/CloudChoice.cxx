@@ -138,7 +138,7 @@ void TryAgain(const CloudRisk& fine, const std::vector<CloudCandidate>& candidat
   {
     least = std::min(least, step.Risk(deviation));
   }
-  const double limit = 0.1 + 1.3 * std::max(0.0, least);
+  const double limit = 0.15 + 1.3 * std::max(0.0, least);
   for (std::size_t k = 0; k < steps.size() && execution.Proceed(0.0); ++k)
   {
     if (steps[k].Risk(deviation) < limit)
