@@ -197,6 +197,49 @@ TEST(CloudNoise, FindsOutliersAndIsNotFooledByThem)
   EXPECT_NEAR(noise.Deviation / sphere.Spacing, 0.2, 0.01);
 }
 
+/// Dense vertices of a part of a cylinder, and a few far from them, but on it.
+TEST(CloudNoise, LonelyPointsOnTheSurfaceAreNoOutliers)
+{
+  Buffer<Vec3> points;
+  auto add = [&](double angle, double height)
+  { points.push_back(Vec3(30.0 * std::cos(angle), 30.0 * std::sin(angle), height)); };
+  for (int row = 0; row < 30; ++row)
+  {
+    for (int k = 0; k < 30; ++k)
+    {
+      add((k + 0.5 * (row % 2)) / 30.0, row);
+    }
+  }
+  for (const double angle : { 0.33, 0.61 })
+  {
+    add(angle, 37.0);
+  }
+  const CloudNoise noise = Estimate(points);
+  EXPECT_EQ(noise.Far + noise.Off, 0u);
+  points.back() *= 1.3;
+  EXPECT_EQ(Estimate(points).Outliers.back(), 1);
+}
+
+/// Rims with many vertices beside blocks with few, as of a bare CAD model.
+TEST(CloudNoise, VerticesFarApartAreNoOutliers)
+{
+  Buffer<Vec3> points;
+  for (const double height : { 0.0, 3.0, 12.0, 15.0 })
+  {
+    for (int k = 0; k < 240; ++k)
+    {
+      const double angle = 2.0 * 3.141592653589793 * k / 240;
+      points.push_back(Vec3(10.0 * std::cos(angle), 10.0 * std::sin(angle), height));
+    }
+  }
+  for (int k = 0; k < 108; ++k)
+  {
+    points.push_back(3.5 * Vec3(k % 3, (k / 3) % 3, 10 + (k / 9) + 2 * (k / 27)));
+  }
+  const CloudNoise noise = Estimate(points);
+  EXPECT_EQ(noise.Far + noise.Off, 0u);
+}
+
 TEST(CloudNoise, NeitherOrderNorThreadsNorPlacementMatter)
 {
   for (const SurfaceCloud& clean : { CubeCloud(15), TorusInRows(1500, 10.0) })

@@ -116,12 +116,17 @@ void FindOutliers(const NeighborGraph& nearest, const Buffer<double>& spacings,
   };
   const Buffer<double>& heights = fits.Heights;
   const double high = std::max(6.0 * noise.Deviation, 3.0 * noise.Spacing);
+  // Whole faces of bare CAD models have vertices farther apart than others, and neighbours of these
+  // are across edges: that they lie all around says nothing.
+  const bool areOfSurface = fits.AreOfSurface();
   outliers.assign(spacings.size(), 0);
   for (std::size_t i = 0; i < spacings.size(); ++i)
   {
     // Neighbours of a lonely point are close together, or are lonely as well and lie all around.
+    const bool isOnSurface = heights[i] >= 0.0 && heights[i] < 0.1 * spacings[i];
     if (spacings[i] > 2.5 * noise.Spacing &&
-      (spacings[i] > 2.5 * medianAround(i, spacings) || fits.Some[i] > 0.3 * spacings[i]))
+      ((!isOnSurface && spacings[i] > 2.5 * medianAround(i, spacings)) ||
+        (areOfSurface && fits.Some[i] > 0.3 * spacings[i])))
     {
       outliers[i] = 1;
       ++noise.Far;

@@ -79,7 +79,10 @@ struct CloudNoise
 
 /**
  * Far is a point whose spacing is more than 2.5 times s, and as much more than the median of those
- * of its neighbours unless these lie all around (deviations from the polynomial of 0.3 spacings).
+ * of its neighbours, unless the polynomial of its 20 nearest others passes within a tenth of its
+ * spacing: it lies on their surface. If neighbours lie all around (deviations from the polynomial
+ * of 0.3 spacings) theirs may be as large, but not in a cloud whose neighbourhoods are hardly ever
+ * patches of surface, such as the vertices of a bare CAD model.
  * Off the surface is one that is more than max(6 sigma, 3 s) above or below the polynomial of its
  * 20 nearest others, three times as far as the median of these, and has 1.4 times their spacing.
  * Off are also the points that impulsive noise has moved (CloudImpulses.h), which is looked for
