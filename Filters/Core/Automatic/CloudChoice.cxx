@@ -6,6 +6,7 @@
 #include "Automatic/CloudCandidates.h"
 #include "Automatic/CloudRisk.h"
 #include "Automatic/CloudTrials.h"
+#include "Automatic/TrialVerdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,48 +86,32 @@ std::vector<std::size_t> FindAlike(const std::vector<StepStatistics>& steps, std
 std::size_t LeastDistance(const std::vector<CloudCandidate>& candidates, std::size_t best,
   const std::vector<std::size_t>& alike, CloudTrials& trials, Execution& execution)
 {
-  // Of a logarithm: less is chance.
-  const double clearly = 2.2 / std::sqrt(static_cast<double>(trials.NumberOfJudged()));
-  std::vector<std::size_t> makers;
-  std::vector<double> ofBest;
-  auto addSurface = [&](std::size_t maker)
+  std::vector<std::size_t> kinds;
+  for (const CloudCandidate& candidate : candidates)
   {
-    if (trials.AddSurface(candidates[maker].Settings, execution))
-    {
-      ofBest.push_back(trials.LogDistance(makers.size(), candidates[best].Settings, execution));
-      makers.push_back(maker);
-    }
-  };
-  addSurface(best);
-  for (std::size_t n = 0; n < std::min(alike.size(), OtherSurfaces); ++n)
-  {
-    addSurface(alike[n]);
+    kinds.push_back(candidate.Settings.Operator.index());
   }
-  // What others leave of the noise looks like detail that the best takes away: its own surface,
-  // which favours it, counts as well.
-  auto kindOf = [&](std::size_t k) { return candidates[k].Settings.Operator.index(); };
-  std::size_t found = best;
-  double least = -clearly;
-  for (const std::size_t k : alike)
+  std::vector<std::size_t> makers(1, best);
+  makers.insert(makers.end(), alike.begin(),
+    alike.begin() + static_cast<std::ptrdiff_t>(std::min(alike.size(), OtherSurfaces)));
+  TrialVerdict verdict(std::move(kinds), best, trials.NumberOfJudged());
+  for (const std::size_t maker : makers)
   {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t surface = 0; surface < makers.size(); ++surface)
+    if (!trials.AddSurface(candidates[maker].Settings, execution))
     {
-      const std::size_t maker = makers[surface];
-      if (maker != k && (kindOf(maker) != kindOf(k) || kindOf(best) == kindOf(k)))
+      continue;
+    }
+    const std::size_t surface = trials.NumberOfSurfaces() - 1;
+    const double ofBest = trials.LogDistance(surface, candidates[best].Settings, execution);
+    for (const std::size_t k : alike)
+    {
+      if (verdict.IsHeard(maker, k))
       {
-        sum += trials.LogDistance(surface, candidates[k].Settings, execution) - ofBest[surface];
-        ++count;
+        verdict.AddGain(k, ofBest - trials.LogDistance(surface, candidates[k].Settings, execution));
       }
     }
-    if (count > 0 && sum / static_cast<double>(count) < least)
-    {
-      least = sum / static_cast<double>(count);
-      found = k;
-    }
   }
-  return found;
+  return verdict.Chosen();
 }
 
 /// Steps on a larger sample, of those that are not far behind on a small one; others lose.

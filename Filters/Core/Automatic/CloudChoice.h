@@ -12,8 +12,7 @@
  * tells the noise better: the choice is made once more with that, of 0.8 to 1.2 times the first
  * noise. Up to five others with a risk of at most r + 0.15 (1 - r), where r is the least, are tried
  * beside the best on surfaces that it and the first two of them made (CloudTrials.h). The one that
- * leaves the least distances is chosen, if the logarithm of them is 2.2 / sqrt(N) less than that of
- * the best by risks, with N points judged (3% for 5000): the rest is chance. Points in rows
+ * leaves the least distances is chosen, if it clearly does (TrialVerdict.h). Points in rows
  * (CloudNoise.h) take twice as many candidates, and no trials.
  */
 

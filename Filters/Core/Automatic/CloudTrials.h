@@ -9,9 +9,7 @@
  * under noise that is a little more even than the noise of the cloud. So it hardly tells methods
  * apart that keep most points closer, but give up a few. Trials do: what a method made of a sample
  * is taken for a surface; what it removed, in another order, is added again as noise; and what is
- * left after a method is measured. A surface favours the method that it comes from, and those of
- * its kind: it has what they leave. So it says nothing of these beside others. For meshes see
- * PlausibleSurfaces.h.
+ * left after a method is measured. TrialVerdict.h compares. For meshes see PlausibleSurfaces.h.
  */
 
 #ifndef SurfaceDenoising_CloudTrials_h
