@@ -33,10 +33,16 @@ double MeanAngle(const TriangleMesh& mesh, const TriangleMesh& clean)
   return Summarize(angles, {}, serial).Mean;
 }
 
-void Measure(const char* file)
+/// Returns false if the file has no surface of triangles.
+bool Measure(const char* file)
 {
   Execution serial;
   const TriangleMesh clean = ReadMesh(file);
+  if (clean.NumberOfFaces() == 0)
+  {
+    std::fprintf(stderr, "%s is no surface of triangles that can be read.\n", file);
+    return false;
+  }
   const std::string path = file;
   const std::string model = path.substr(path.find_last_of('/') + 1);
   for (const NoiseRow& row : NoiseRows())
@@ -66,6 +72,7 @@ void Measure(const char* file)
       report.Plan.Reason.c_str(), report.RepairedVertices, angle / best);
     std::fflush(stdout);
   }
+  return true;
 }
 
 }
@@ -74,9 +81,10 @@ int main(int argc, char** argv)
 {
   std::printf("| model | noise | input | best of the sweep | automatic | ratio |\n"
               "|---|---|---|---|---|---|\n");
+  bool measured = argc > 1;
   for (int i = 1; i < argc; ++i)
   {
-    Measure(argv[i]);
+    measured = Measure(argv[i]) && measured;
   }
-  return argc > 1 ? 0 : 1;
+  return measured ? 0 : 1;
 }

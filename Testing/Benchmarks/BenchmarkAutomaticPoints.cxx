@@ -118,11 +118,17 @@ int main(int argc, char** argv)
     return 1;
   }
   const std::string path = argv[1];
+  const TriangleMesh clean = ReadMesh(argv[1]);
+  if (clean.NumberOfFaces() == 0)
+  {
+    std::fprintf(stderr, "%s is no surface of triangles that can be read.\n", argv[1]);
+    return 1;
+  }
   const int cuts = argc > 2 ? std::atoi(argv[2]) : 1;
   std::string model = path.substr(path.find_last_of('/') + 1);
   model += cuts > 1 ? ", cut by " + std::to_string(cuts) : "";
   std::printf("| model | noise | input | best of the sweep | automatic | ratio |\n"
               "|---|---|---|---|---|---|\n");
-  Measure(model, Subdivide(ReadMesh(argv[1]), std::max(1, cuts)));
+  Measure(model, Subdivide(clean, std::max(1, cuts)));
   return 0;
 }

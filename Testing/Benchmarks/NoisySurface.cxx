@@ -36,6 +36,10 @@ TriangleMesh ReadMesh(const char* file)
   for (vtkIdType f = 0; f < surface->GetNumberOfCells(); ++f)
   {
     surface->GetCellPoints(f, ids);
+    if (ids->GetNumberOfIds() != 3)
+    {
+      return TriangleMesh();
+    }
     mesh.Triangles.push_back({ Index(ids->GetId(0)), Index(ids->GetId(1)), Index(ids->GetId(2)) });
   }
   return mesh;

@@ -24,7 +24,7 @@ while getopts a:c:f:o: option; do
     c) cuts=$OPTARG ;;
     f) filter=$OPTARG ;;
     o) only=$OPTARG ;;
-    a) model=$(realpath "$OPTARG") || exit 1 ;;
+    a) model=$(realpath -e "$OPTARG") || exit 1 ;;
     *) exit 1 ;;
   esac
 done
