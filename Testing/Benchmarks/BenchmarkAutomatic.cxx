@@ -40,7 +40,6 @@ bool Measure(const char* file)
   const TriangleMesh clean = ReadMesh(file);
   if (clean.NumberOfFaces() == 0)
   {
-    std::fprintf(stderr, "%s is no surface of triangles that can be read.\n", file);
     return false;
   }
   const std::string path = file;

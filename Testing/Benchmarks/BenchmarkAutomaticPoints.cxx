@@ -121,7 +121,6 @@ int main(int argc, char** argv)
   const TriangleMesh clean = ReadMesh(argv[1]);
   if (clean.NumberOfFaces() == 0)
   {
-    std::fprintf(stderr, "%s is no surface of triangles that can be read.\n", argv[1]);
     return 1;
   }
   const int cuts = argc > 2 ? std::atoi(argv[2]) : 1;

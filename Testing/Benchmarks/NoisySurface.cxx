@@ -14,6 +14,7 @@
 #include <vtkPoints.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <numeric>
@@ -38,9 +39,14 @@ TriangleMesh ReadMesh(const char* file)
     surface->GetCellPoints(f, ids);
     if (ids->GetNumberOfIds() != 3)
     {
-      return TriangleMesh();
+      mesh = TriangleMesh();
+      break;
     }
     mesh.Triangles.push_back({ Index(ids->GetId(0)), Index(ids->GetId(1)), Index(ids->GetId(2)) });
+  }
+  if (mesh.NumberOfFaces() == 0)
+  {
+    std::fprintf(stderr, "%s is no surface of triangles that can be read.\n", file);
   }
   return mesh;
 }

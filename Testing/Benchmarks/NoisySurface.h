@@ -14,7 +14,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-/// A surface of triangles from an OFF file. Empty if it cannot be read or has other faces.
+/// A surface of triangles from an OFF file. Empty, after a message, if it cannot be read
+/// or has other faces.
 SurfaceDenoising::TriangleMesh ReadMesh(const char* file);
 
 /// The OFF file that the environment variable SURFACE_DENOISING_BENCHMARK_MESH names. Empty if it

@@ -68,4 +68,10 @@ TEST(TrialVerdict, GainsCountOnAverage)
   verdict.AddGain(3, 0.04); // 0.07
   verdict.AddGain(1, 0.06);
   EXPECT_EQ(verdict.Chosen(), 3u);
+
+  TrialVerdict once(Kinds, 0, Judged);
+  once.AddGain(3, 0.1);
+  once.AddGain(3, 0.04); // 0.14 together
+  once.AddGain(1, 0.08);
+  EXPECT_EQ(once.Chosen(), 1u);
 }
