@@ -75,7 +75,7 @@ struct FaceFilterSettings
   /// from the data.
   double NormScale = 0.35;
   ScaleEstimator Estimator = ScaleEstimator::MedianAbsoluteDeviation; ///< how, if from the data
-  NormalArgument Argument = NormalArgument::Chord;
+  NormalArgument Argument = NormalArgument::Chord;                    ///< no length (IsLength)
   CurvatureUnit Unit = CurvatureUnit::CentroidDistance;
   double SpatialScale = 1.0;      ///< sigma of the spatial Gaussian in d; 0: no spatial kernel
   bool LocalSpatialScale = false; ///< in the mean distance of each face to its edge-adjacent ones

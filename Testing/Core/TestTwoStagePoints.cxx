@@ -266,3 +266,42 @@ TEST(TwoStagePoints, TakesItsScaleFromTheData)
   EXPECT_TRUE(report.NoNoiseFound);
   EXPECT_EQ(clean.Positions, before);
 }
+
+// Whatever unit the argument has.
+TEST(TwoStagePoints, ScaleFromTheDataDoesNotDependOnUnits)
+{
+  const PointCloud cloud = MakeCloud(CubeCloud(8));
+  PointCloud large = cloud;
+  for (Vec3& p : large.Positions)
+  {
+    p *= 1024.0; // exact
+  }
+  for (const NormalArgument argument : { NormalArgument::Chord, NormalArgument::Angle,
+         NormalArgument::DirectionalCurvature, NormalArgument::NormalGradient,
+         NormalArgument::Height, NormalArgument::BentArc, NormalArgument::NeighborHeight })
+  {
+    SCOPED_TRACE(static_cast<int>(argument));
+    PointDenoisingSettings settings = ComposedPoints();
+    TwoStageSettings& t = std::get<TwoStageSettings>(settings.Operator);
+    t.Normals.NormScale = 0.0;
+    t.Normals.Argument = argument;
+    for (const ScaleEstimator estimator :
+      { ScaleEstimator::MedianAbsoluteDeviation, ScaleEstimator::HalfNormal })
+    {
+      t.Estimator = estimator;
+      PointCloud one = cloud;
+      PointCloud other = large;
+      PointDenoisingReport report;
+      PointDenoisingReport reportOfLarge;
+      Execution serial;
+      ASSERT_TRUE(DenoisePoints(one, GivenNormals(settings), report, serial));
+      ASSERT_TRUE(DenoisePoints(other, GivenNormals(settings), reportOfLarge, serial));
+      EXPECT_GT(report.NormScale, 0.0);
+      EXPECT_NEAR(reportOfLarge.NormScale / report.NormScale, 1.0, 1e-9);
+      for (std::size_t i = 0; i < cloud.Positions.size(); ++i)
+      {
+        ASSERT_LT((other.Positions[i] / 1024.0 - one.Positions[i]).norm(), 1e-9);
+      }
+    }
+  }
+}

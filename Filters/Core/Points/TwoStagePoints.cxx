@@ -17,6 +17,32 @@ namespace
 /// Neighbours whose normals tell the scale of a norm.
 constexpr std::size_t ScaleNeighbors = 6;
 
+/// x_ij of two points that are e apart and have the normals n and m.
+double DifferenceOf(NormalArgument argument, const Vec3& e, const Vec3& n, const Vec3& m)
+{
+  const double chord = (m - n).norm();
+  const double angle = std::atan2(m.cross(n).norm(), m.dot(n));
+  switch (argument)
+  {
+    case NormalArgument::Angle:
+      return angle;
+    case NormalArgument::DirectionalCurvature:
+      return angle / e.norm();
+    case NormalArgument::NormalGradient:
+      return chord / e.norm();
+    case NormalArgument::Height:
+      return std::abs(n.dot(e));
+    case NormalArgument::NeighborHeight:
+      return std::abs(m.dot(e));
+    case NormalArgument::BentArc: // without a bend, as in the sweeps
+      return (chord > 1e-10 ? angle / chord : 1.0) * e.norm();
+    case NormalArgument::SiteCurvature: // not for points
+    case NormalArgument::Chord:
+      break;
+  }
+  return chord;
+}
+
 /// x_ij between every point and its first neighbours.
 Buffer<double> NeighborDifferences(const PointSet& points, NormalArgument argument, bool unoriented)
 {
@@ -38,13 +64,7 @@ Buffer<double> NeighborDifferences(const PointSet& points, NormalArgument argume
       {
         m = -m;
       }
-      const bool angle =
-        argument == NormalArgument::Angle || argument == NormalArgument::DirectionalCurvature;
-      const double x = argument == NormalArgument::Height ? std::abs(n.dot(e))
-        : argument == NormalArgument::NeighborHeight      ? std::abs(m.dot(e))
-        : angle                                           ? std::atan2(m.cross(n).norm(), m.dot(n))
-                                                          : (m - n).norm();
-      differences.push_back(IsCurvature(argument) ? x / e.norm() : x);
+      differences.push_back(DifferenceOf(argument, e, n, m));
     }
   }
   return differences;
