@@ -120,9 +120,9 @@ bool IsClosed(const EdgeCensus& census)
 
 double SignedVolume(const TriangleMesh& mesh, Execution& execution)
 {
-  // Any origin gives the volume of a closed mesh; one on the mesh saves the digits of a far
-  // position.
-  const Vec3 origin = mesh.Positions.empty() ? Vec3(0.0, 0.0, 0.0) : mesh.Positions[0];
+  // Any origin gives the volume of a closed mesh; one on a face saves the digits of a far position.
+  const Vec3 origin =
+    mesh.Triangles.empty() ? Vec3(0.0, 0.0, 0.0) : mesh.Positions[mesh.Triangles[0][0]];
   const double sum = OrderedSum(execution, mesh.NumberOfFaces(), 0.0,
     [&](std::size_t f)
     { return (mesh.Positions[mesh.Triangles[f][0]] - origin).dot(mesh.DoubleAreaVector(f)); });

@@ -145,6 +145,20 @@ TEST(Metrics, VolumeDoesNotDependOnThePosition)
   EXPECT_DOUBLE_EQ(SignedVolume(box, Serial), -24.0);
 }
 
+TEST(Metrics, VolumeDoesNotKnowVerticesWithoutFaces)
+{
+  TriangleMesh box = MakeBox(2.0, 3.0, 4.0);
+  box.Positions.insert(box.Positions.begin(), Vec3::Constant(NotANumber));
+  for (Triangle& triangle : box.Triangles)
+  {
+    for (Index& v : triangle)
+    {
+      ++v;
+    }
+  }
+  EXPECT_DOUBLE_EQ(SignedVolume(box, Serial), 24.0);
+}
+
 TEST(Metrics, IsClosed)
 {
   TriangleMesh box = MakeBox(1.0, 1.0, 1.0);

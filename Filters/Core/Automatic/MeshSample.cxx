@@ -32,10 +32,27 @@ Buffer<double> FaceDistances(const TriangleMesh& mesh, const Vec3& from, Executi
 
 }
 
+Vec3 MiddleOf(const TriangleMesh& mesh, Execution& execution)
+{
+  Buffer<unsigned char> used(mesh.NumberOfVertices(), 0);
+  for (const Triangle& triangle : mesh.Triangles)
+  {
+    for (const Index v : triangle)
+    {
+      used[v] = 1;
+    }
+  }
+  const Vec3 nowhere = Vec3::Zero();
+  const Vec3 sum = OrderedSum(execution, used.size(), nowhere,
+    [&](std::size_t v) -> const Vec3& { return used[v] ? mesh.Positions[v] : nowhere; });
+  const auto count = std::count(used.begin(), used.end(), static_cast<unsigned char>(1));
+  return sum / std::max(1.0, double(count));
+}
+
 MeshSample TakeSample(const TriangleMesh& mesh, std::size_t faces, Execution& execution)
 {
   MeshSample sample;
-  const Vec3 middle = MeanOf(mesh.Positions, execution);
+  const Vec3 middle = MiddleOf(mesh, execution);
   sample.Middle = middle;
   Buffer<unsigned char> chosen(mesh.NumberOfFaces(), 1); // 0: not there, 1: inner, 2: near a rim
   if (mesh.NumberOfFaces() > faces)

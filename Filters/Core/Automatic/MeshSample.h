@@ -17,12 +17,15 @@ namespace SurfaceDenoising
 struct MeshSample
 {
   TriangleMesh Mesh;
-  Vec3 Middle = Vec3::Zero(); ///< the mean of the vertices of the whole mesh
+  Vec3 Middle = Vec3::Zero(); ///< that of the whole mesh
   /// Per vertex of Mesh: its place in the order of distances from the middle of the vertices. A
   /// number that the order of vertices and rigid motions leave as it is, for random numbers.
   Buffer<Index> Keys;
   Buffer<unsigned char> Inner; ///< per face of Mesh: 1 if it is not near the rim of its patch
 };
+
+/// The mean of the vertices that have faces; others may be anywhere, or NaN. Zero without faces.
+Vec3 MiddleOf(const TriangleMesh& mesh, Execution& execution);
 
 /**
  * The mesh itself if it has at most the given number of faces. Otherwise 6 patches of the faces

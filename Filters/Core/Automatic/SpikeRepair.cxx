@@ -6,7 +6,7 @@
 #include "../InterruptedExecution.h"
 #include "../Metrics.h"
 #include "../OneStage/VertexRings.h"
-#include "OutwardOrder.h"
+#include "MeshSample.h"
 #include "ProgressShare.h"
 #include "SpikeScores.h"
 #include "Spikes.h"
@@ -37,7 +37,7 @@ Buffer<double> Lots(const TriangleMesh& mesh, const CompressedRows& rings, const
   Execution& execution)
 {
   const std::size_t count = mesh.NumberOfVertices();
-  const Vec3 middle = MeanOf(mesh.Positions, execution);
+  const Vec3 middle = MiddleOf(mesh, execution);
   Buffer<double> lots(count);
   execution.For(count,
     [&](std::size_t begin, std::size_t end)
