@@ -10,6 +10,7 @@
 #include "AutomaticShapes.h"
 #include "CompareMeshes.h"
 #include "Impatient.h"
+#include "ImpulsiveShapes.h"
 #include "NoisyCube.h"
 #include "OddThreads.h"
 
@@ -103,6 +104,42 @@ TEST(AutomaticMesh, RepairsImpulsesAlone)
     }
     EXPECT_GT(same, 0.7 * double(mesh.NumberOfVertices())) << shape.Name;
   }
+}
+
+// Neither for what is chosen nor for what is taken for an impulse.
+TEST(AutomaticMesh, VerticesWithoutFacesDoNotMatter)
+{
+  const TriangleMesh clean = Torus(14);
+  TriangleMesh impulsive = clean;
+  PortableRandom random(9);
+  for (Vec3& p : impulsive.Positions)
+  {
+    p += random.Uniform() < 0.1 ? Vec3(0.7 * EdgeLengthOf(clean) * random.Direction())
+                                : Vec3(0.0, 0.0, 0.0);
+  }
+  for (const TriangleMesh& noisy : { Noisy(clean, 0.1), impulsive })
+  {
+    TriangleMesh alone = noisy;
+    TriangleMesh more = noisy;
+    more.Positions.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+    const AutomaticReport report = Automatic(alone);
+    EXPECT_EQ(Automatic(more).Plan.Reason, report.Plan.Reason);
+    EXPECT_GT(Distance(alone.Positions, noisy.Positions), 0.0);
+    more.Positions.pop_back();
+    EXPECT_EQ(more.Positions, alone.Positions);
+  }
+}
+
+// Here impulses are told from details, but what is made up for them would miss as much. They are
+// still there when methods are tried, and look like noise of all vertices.
+TEST(AutomaticMesh, LeavesImpulsesThatItCannotRepair)
+{
+  const TriangleMesh noisy = WithImpulses(RoughTorus(0.035, 20), 0.2, true, 0.4);
+  TriangleMesh mesh = noisy;
+  const AutomaticReport report = Automatic(mesh);
+  EXPECT_EQ(report.RepairedVertices, 0u);
+  EXPECT_NE(report.Plan.Reason.find("impulses"), std::string::npos);
+  EXPECT_EQ(mesh.Positions, noisy.Positions);
 }
 
 TEST(AutomaticMesh, ThreadsDoNotMatter)

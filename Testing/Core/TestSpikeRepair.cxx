@@ -8,6 +8,7 @@
 #include "AutomaticShapes.h"
 #include "CompareMeshes.h"
 #include "Impatient.h"
+#include "ImpulsiveShapes.h"
 #include "NoisyCube.h"
 #include "OddThreads.h"
 #include "OneStage/VertexRings.h"
@@ -48,40 +49,6 @@ TriangleMesh Smoothed(TriangleMesh mesh, int times)
     }
   }
   return mesh;
-}
-
-/// A coarse torus with bumps in all directions, a few edges wide.
-TriangleMesh RoughTorus(double height = 0.025)
-{
-  TriangleMesh mesh = Torus(26);
-  for (Vec3& p : mesh.Positions)
-  {
-    p *=
-      1.0 + height * (std::sin(13.0 * p[0] + 1.0) + std::sin(12.0 * p[1]) + std::sin(14.0 * p[2]));
-  }
-  return mesh;
-}
-
-TriangleMesh WithImpulses(const TriangleMesh& clean, double share, bool alongNormals)
-{
-  TriangleMesh noisy = clean;
-  if (alongNormals)
-  {
-    AddNormalNoise(noisy, 0.5, 12345);
-  }
-  else
-  {
-    AddDirectionNoise(noisy, 0.5, 12345);
-  }
-  PortableRandom random(9);
-  for (std::size_t v = 0; v < noisy.NumberOfVertices(); ++v)
-  {
-    if (random.Uniform() >= share)
-    {
-      noisy.Positions[v] = clean.Positions[v];
-    }
-  }
-  return noisy;
 }
 
 }

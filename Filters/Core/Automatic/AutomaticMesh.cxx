@@ -26,9 +26,9 @@ constexpr std::size_t TrialFaces = 24000;
 constexpr std::size_t LargeMesh = 200000;
 constexpr std::size_t TrialFacesOfLarge = 8000;
 
-/// Impulses that were missed are still there and no noise that can be added again in a trial: the
-/// expected error must be below this if any were repaired.
-constexpr double LargestErrorAfterRepair = 0.45;
+/// Impulses that were missed, or all of them if they cannot be repaired, are still there and no
+/// noise that can be added again in a trial: the expected error must be below this.
+constexpr double LargestErrorAmongImpulses = 0.45;
 
 std::string Describe(const SurfaceNoise& noise)
 {
@@ -53,15 +53,15 @@ bool LooksImpulsive(const TriangleMesh& mesh, Execution& execution)
   return FindImpulses(sample.Mesh, stars, marks, execution);
 }
 
-/// Leaves what was repaired as it is, if a chain is not certain to be better.
-void DoubtAfterRepair(AutomaticPlan& plan)
+/// Leaves the rest of impulses as it is, if a chain is not certain to be better.
+void DoubtAmongImpulses(AutomaticPlan& plan)
 {
-  if (plan.ExpectedError > LargestErrorAfterRepair && !plan.Steps.empty())
+  if (plan.ExpectedError > LargestErrorAmongImpulses && !plan.Steps.empty())
   {
     plan.Steps.clear();
     plan.Methods.clear();
     plan.ExpectedError = 1.0;
-    plan.Reason = Describe(plan.Noise) + ", which may be what is left of impulses: nothing to do";
+    plan.Reason = Describe(plan.Noise) + ", which may be impulses that are left: nothing to do";
   }
 }
 
@@ -131,6 +131,7 @@ bool DenoiseAutomatically(TriangleMesh& mesh, const AutomaticSettings& settings,
   ProgressShare plan(execution, 0.1, 0.6);
   ProgressShare denoise(execution, 0.6, 1.0);
   Buffer<Vec3> before;
+  bool impulsive = false;
   {
     const Stopwatch stopwatch(report.PlanSeconds);
     if (!prepared.Prepare(execution))
@@ -138,7 +139,8 @@ bool DenoiseAutomatically(TriangleMesh& mesh, const AutomaticSettings& settings,
       return false;
     }
     before = prepared.Mesh().Positions;
-    if ((settings.CheckedStrength() > 0.0 && LooksImpulsive(prepared.Mesh(), execution) &&
+    impulsive = settings.CheckedStrength() > 0.0 && LooksImpulsive(prepared.Mesh(), execution);
+    if ((impulsive &&
           !RepairSpikes(prepared.Mesh(), prepared.Stars(), prepared.Edges(),
             report.RepairedVertices, repair)) ||
       !PlanDenoising(prepared.Mesh(), settings, report.Plan, plan))
@@ -146,9 +148,9 @@ bool DenoiseAutomatically(TriangleMesh& mesh, const AutomaticSettings& settings,
       return false;
     }
   }
-  if (report.RepairedVertices > 0)
+  if (impulsive)
   {
-    DoubtAfterRepair(report.Plan);
+    DoubtAmongImpulses(report.Plan);
   }
   const MeshFacts facts = prepared.Facts();
   if (!report.Plan.Steps.empty())

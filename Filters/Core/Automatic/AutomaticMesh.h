@@ -10,8 +10,8 @@
  * chains of published methods, weak and strong ones, for flat sides with sharp edges and for
  * organic shapes, are tried on the mesh, or on patches of a large one, and the chain whose normals
  * are expected to have the smallest error (ChainTrials.h) is run. If that error is not certain to
- * be below that of the input, nothing is done; where spikes were repaired, it must be below 45% of
- * it, as spikes that were missed look like noise.
+ * be below that of the input, nothing is done; where there are spikes, repaired or not, it must be
+ * below 45% of it, as those that are left look like noise.
  */
 
 #ifndef SurfaceDenoising_AutomaticMesh_h

@@ -28,9 +28,6 @@ constexpr double LeastHeight = 0.05;
 constexpr std::size_t LeastNumber = 100;
 /// Of impulsive noise: spikes among all.
 constexpr double LeastShare = 0.01;
-/// Rows of features are clustered by more than that, impulses hardly: those that are missed are in
-/// rough places, and an impulse may let its neighbour look like one.
-constexpr double MostClustered = 1.4;
 
 class SpikeSearch
 {
@@ -95,7 +92,7 @@ public:
     {
       const double expected = share * double(others[apart]);
       // Pairs are counted from both ends: the variance of the count is twice its expectation.
-      if (double(spikes[apart]) > MostClustered * expected + std::sqrt(2.0 * expected))
+      if (double(spikes[apart]) > this->Sites.MostClustered * expected + std::sqrt(2.0 * expected))
       {
         return false;
       }

@@ -42,6 +42,10 @@ struct SpikeSites
   double Unit = 0.0;             ///< a length: the mean edge length or the spacing
   /// Spikes very far off among all, of which Gaussian noise has hardly any.
   double LeastVeryFar = 0.15;
+  /// Spikes beside spikes, and next but one, over those to expect if places are chosen at random.
+  /// Rows of features are clustered by more, impulses hardly: those that are missed are in rough
+  /// places, and an impulse may let its neighbour look like one.
+  double MostClustered = 1.4;
   /// Scores of all, in which those that are marked have no part as neighbours.
   std::function<SpikeScores(const Buffer<unsigned char>& marks, Execution& execution)> Score;
 };
@@ -59,7 +63,8 @@ Buffer<unsigned char> FindSpikes(const SpikeSites& sites, Execution& execution);
  *   times what is usual, in the first and in the second round: of Gaussian noise in random
  *   directions, a few in the first are so by chance;
  * - in the second round, no more beside spikes are spikes than if they were chosen at random, but
- *   for a factor of 1.4 and a standard deviation of chance. The same for the next but one.
+ *   for a factor of MostClustered and a standard deviation of chance. The same for the next but
+ *   one.
  *
  * If the execution asks to stop, what comes back is of no use.
  */

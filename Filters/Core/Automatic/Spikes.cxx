@@ -15,6 +15,8 @@ namespace
 /// Details of a coarse mesh hide many impulses, so that fewer than usual are very far off.
 /// RepairSpikes sorts out Gaussian noise that comes as far.
 constexpr double LeastVeryFar = 0.11;
+/// The same details let what is left of the impulses look clustered.
+constexpr double MostClustered = 1.6;
 
 /// Returns false if the execution asked to stop. The mesh and the stars must outlive the sites.
 bool FindSites(const TriangleMesh& mesh, const CompressedRows& stars, const EdgeCensus& edges,
@@ -22,6 +24,7 @@ bool FindSites(const TriangleMesh& mesh, const CompressedRows& stars, const Edge
 {
   sites.Unit = edges.MeanEdgeLength;
   sites.LeastVeryFar = LeastVeryFar;
+  sites.MostClustered = MostClustered;
   sites.Counted.resize(mesh.NumberOfVertices());
   for (std::size_t v = 0; v < sites.Counted.size(); ++v)
   {
