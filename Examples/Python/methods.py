@@ -142,8 +142,8 @@ METHODS = [
            }),
 ]
 
-# They filter the points of a cloud, or those of a surface as if it had no polygons. The first is
-# what the demo takes. What the others are called is their name in the table of the C++ library.
+# They filter the points of a cloud, or those of a surface as if it had no polygons. The first can
+# be composed. What the others are called is their name in the table of the C++ library.
 POINT_METHODS = [
     Method("RobustPointNormalFilter", "Robust point normal", "composed", {
         "default": {},
@@ -246,12 +246,16 @@ def captions(peers=True):
 
 
 def find_methods(names):
-    """The methods called so, by caption or filter, in the order of the lists. ValueError if one is
-    not there."""
-    wanted = {name.lower() for name in names}
-    every = METHODS + POINT_METHODS
-    known = {name.lower() for method in every for name in (method.caption, method.proxy)}
-    if wanted - known:
+    """The methods called so, by caption or filter, in the order of the lists; spaces and capitals
+    do not count. ValueError if one is not there."""
+    def key(name):
+        return name.lower().replace(" ", "")
+
+    wanted = {key(name): name for name in names}
+    keys = [{key(method.caption), key(method.proxy)} for method in METHODS + POINT_METHODS]
+    missing = [name for name in wanted if not any(name in known for known in keys)]
+    if missing:
         raise ValueError("there is no method {}; there are {}".format(
-            ", ".join(sorted(wanted - known)), captions()))
-    return [method for method in every if wanted & {method.caption.lower(), method.proxy.lower()}]
+            ", ".join(wanted[name] for name in missing), captions()))
+    return [method for method, known in zip(METHODS + POINT_METHODS, keys)
+            if known & wanted.keys()]

@@ -3,9 +3,11 @@
 """The demo writes a surface or a cloud that is cleaner than its input, in formats that can be read,
 and a picture that shows something; it refuses what it cannot denoise."""
 
+import io
 import os
 import runpy
 import sys
+from contextlib import redirect_stdout
 
 import numpy
 from paraview.servermanager import Fetch
@@ -22,8 +24,12 @@ from surfaces import has_polygons, open_surface, positions
 
 
 def demo(*arguments):
+    """What the script prints."""
     sys.argv = ["demo.py", *arguments]
-    runpy.run_path(os.path.join(PYTHON, "demo.py"), run_name="__main__")
+    printed = io.StringIO()
+    with redirect_stdout(printed):
+        runpy.run_path(os.path.join(PYTHON, "demo.py"), run_name="__main__")
+    return printed.getvalue()
 
 
 def measured(surface, truth, quantity):
@@ -52,8 +58,11 @@ before = measured(noisy, truth, "RelativeMeanDistance")
 for folder, arguments, columns in (
         ("cloud", ("noisy.xyz", "--point-iterations", "7"), 3),
         ("by_method", ("noisy.ply", "--method", "rolling point normal"), 3),
-        ("known", ("--truth", "truth.ply", "--noise", "0.2", "--points"), 2)):
-    demo(*arguments, "--output", folder)
+        ("automatic", ("noisy.xyz",), 3),
+        ("known", ("--truth", "truth.ply", "--noise", "0.2", "--points", "--method",
+                   "Denoise Surface"), 2)):
+    printed = demo(*arguments, "--output", folder)
+    assert ("-- Denoise Surface" in printed) == (folder in ("automatic", "known")), printed
     for name in ("denoised.vtp", "denoised.ply", "denoised.xyz"):
         file = os.path.join(folder, name)
         cloud = open_surface(file, polygons=False)
