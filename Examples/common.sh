@@ -24,29 +24,60 @@ fail() {
   exit 1
 }
 
-# fetch_model: $model, from Debian's collection of CGAL data, into the output folder. Nothing but the
-# data is wanted, so that the package is unpacked rather than installed.
+# show_help <script> <argument>...: ends with the help, if it is asked for. The start of the program
+# says how it is called, and Python, without ParaView, what the options are.
+show_help() {
+  local argument
+  for argument in "${@:2}"; do
+    [ "$argument" = -h ] || [ "$argument" = --help ] || continue
+    sed -n '5,/^$/s/^# \{0,1\}//p' "$0"
+    command -v python3 >/dev/null || fail "python3 is not installed, which lists the options"
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/Examples/Python \
+      python3 "$root/Examples/${1}_options.py" --help
+    exit
+  done
+}
+
+# take_files <most> <argument>...: arguments before the first option are files, the rest is options.
+take_files() {
+  local most=$1 before='' option
+  shift
+  files=()
+  while [ $# -gt 0 ] && [ ${#files[@]} -lt "$most" ] && [ "${1#-}" = "$1" ]; do
+    [ -f "$1" ] || fail "there is no file $1"
+    files+=("$1")
+    shift
+  done
+  options=("$@")
+  [ ${#files[@]} -eq 0 ] || return 0
+  for option in "$@"; do
+    [ ! -f "$option" ] || [ "$before" = --truth ] || fail "files come before options: $option"
+    before=$option
+  done
+}
+
+# has_option <name>: is it there?
+has_option() {
+  local option
+  for option in "${options[@]}"; do
+    [ "${option%%=*}" != "$1" ] || return 0
+  done
+  return 1
+}
+
+# fetch_model: $model, from Debian's collection of CGAL data, into the output folder.
 fetch_model() {
-  local archive=usr/share/doc/libcgal-dev/data.tar.gz folder=/
-  if [ ! -e "/$archive" ]; then
-    echo "-- fetching libcgal-demo"
-    folder=$(mktemp -d) || return 1
-    (cd "$folder" && as_root apt-get update -qq &&
-      apt-get download -qq -o APT::Sandbox::User=root libcgal-demo && dpkg -x ./*.deb .) || return 1
-  fi
-  tar -xzf "$folder/$archive" -O "data/meshes/$model.off" >"$truth" || return 1
-  [ "$folder" = / ] || rm -r "$folder"
+  { fetch_cgal_data "$unpacked/cgal" && extract_model "$model" "$truth"; } ||
+    fail "cannot get the model $model"
 }
 
 build_plugin() {
   local log=$build/$program.log
-  mkdir -p "$build"
+  mkdir -p "$build" || return 1
   echo "-- building the plugin in $build (a few minutes the first time)"
-  if [ ! -e "$build/CMakeCache.txt" ]; then
-    cmake -G Ninja -S "$root" -B "$build" -DPython3_EXECUTABLE=/usr/bin/python3 >"$log" 2>&1 ||
-      { tail -n 30 "$log" && return 1; }
-  fi
-  cmake --build "$build" >"$log" 2>&1 || { tail -n 30 "$log" && return 1; }
+  # The generator counts where nothing is configured yet.
+  { CMAKE_GENERATOR=Ninja cmake -S "$root" -B "$build" -DPython3_EXECUTABLE=/usr/bin/python3 &&
+    cmake --build "$build"; } >"$log" 2>&1 || { tail -n 30 "$log" && return 1; }
 }
 
 # prepare: all that run_script needs, and the folder for the results.
@@ -57,14 +88,15 @@ prepare() {
   build_plugin || fail "cannot build the plugin; see $build/$program.log"
 }
 
-# run_script <name> <argument>...: a script of Examples/Python in pvpython, with the plugin.
+# run_script <script> <argument>...: a script below Examples, without its ending, in pvpython, with the plugin.
 run_script() {
-  local plugins script=$root/Examples/Python/$1
+  local plugins script=$root/Examples/$1.py
   shift
   # Tests install a copy of the plugin below Testing, which may be of yesterday.
-  plugins=$(find "$build" -name surface-denoising.xml -not -path "*/Testing/*" -print -quit)
+  plugins=$(cd "$build" && find . -path ./Testing -prune -o -name surface-denoising.xml -print -quit)
+  [ -n "$plugins" ] || fail "there is no plugin in $build"
   # Without -noreset, the display may restart while ParaView opens its second window on it.
-  PV_PLUGIN_CONFIG_FILE=$plugins PYTHONDONTWRITEBYTECODE=1 \
+  PV_PLUGIN_CONFIG_FILE=$build/$plugins PYTHONDONTWRITEBYTECODE=1 \
     xvfb-run -a -s "-screen 0 1600x1200x24 -noreset" \
     pvpython "$script" --output "$out" "$@"
 }

@@ -11,27 +11,22 @@
 #   bash Examples/compare.sh scan.xyz                      a cloud: also XYZ XYZN PTS ASC
 #   bash Examples/compare.sh noisy.ply truth.ply --parameters cad
 #
-# Options are those of Examples/Python/compare.py; --help lists them. What is missing is installed,
-# and the plugin is built once, in build-paraview. Results go to $OUT, by default ./out. $MODEL is
-# another model than fandisk, one of CGAL's meshes such as bunny00.
+# Files come first, then options, which --help lists. What is missing is installed, and the plugin is
+# built once, in build-paraview. Results go to $OUT, by default ./out. $MODEL is another model than
+# fandisk, one of CGAL's meshes such as bunny00.
 
 # shellcheck source=Examples/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh" || exit 1
 
-surfaces=()
-while [ $# -gt 0 ] && [ ${#surfaces[@]} -lt 2 ] && [ "${1#-}" = "$1" ]; do
-  [ -f "$1" ] || fail "there is no file $1"
-  surfaces+=("$1")
-  shift
-done
+show_help Python/compare "$@"
+take_files 2 "$@"
 prepare
 
-if [ ${#surfaces[@]} -gt 0 ]; then
-  arguments=("${surfaces[@]}")
-else
-  fetch_model || fail "cannot get the model"
+arguments=("${files[@]}")
+if [ ${#files[@]} -eq 0 ] && ! has_option --truth; then
+  fetch_model
   arguments=(--truth "$truth" "${view[@]}")
 fi
 
-echo "-- comparing methods on ${surfaces[0]:-$truth}"
-run_script compare.py "${arguments[@]}" "$@" || exit 1
+echo "-- comparing methods on ${files[0]:-a model with noise}"
+run_script Python/compare "${arguments[@]}" "${options[@]}" || exit 1

@@ -10,29 +10,30 @@
 #   bash Examples/demo.sh scan.ply --method "Guided normal"   your own: PLY OBJ STL OFF VTP VTK
 #   bash Examples/demo.sh scan.xyz                            a cloud: also XYZ XYZN PTS ASC
 #
-# Options are those of Examples/Python/demo.py; --help lists them. What is missing is installed, and
-# the plugin is built once, in build-paraview. Results go to $OUT, by default ./out. $MODEL is
-# another model than fandisk, one of CGAL's meshes such as bunny00.
+# Files come first, then options, which --help lists. A file of your own is given to Denoise Surface,
+# which finds the method by itself; the model to "Tukey, wide then narrow", and its points to Robust
+# Point Normal. What is missing is installed, and the plugin is built once, in build-paraview. Results
+# go to $OUT, by default ./out. $MODEL is another model than fandisk, one of CGAL's meshes such as
+# bunny00.
 
 # shellcheck source=Examples/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh" || exit 1
 
-surface=
-if [ $# -gt 0 ] && [ "${1#-}" = "$1" ]; then
-  surface=$1
-  shift
-  [ -f "$surface" ] || fail "there is no file $surface"
-fi
+show_help Python/demo "$@"
+take_files 1 "$@"
 prepare
 
-if [ -n "$surface" ]; then
-  arguments=("$surface")
-else
-  fetch_model || fail "cannot get the model"
-  arguments=(--truth "$truth" "${view[@]}")
+arguments=("${files[@]}")
+if [ ${#files[@]} -eq 0 ]; then
   # Noise in all directions distorts triangles, which the Tukey filter evens out again.
-  [[ " $* " == *" --points "* ]] || arguments+=(--method "Tukey, wide then narrow")
+  method="Tukey, wide then narrow"
+  ! has_option --points || method="Robust point normal"
+  arguments=(--method "$method")
+  if ! has_option --truth; then
+    fetch_model
+    arguments+=(--truth "$truth" "${view[@]}")
+  fi
 fi
 
-echo "-- denoising ${surface:-$truth}"
-run_script demo.py "${arguments[@]}" "$@" || exit 1
+echo "-- denoising ${files[0]:-a model with noise}"
+run_script Python/demo "${arguments[@]}" "${options[@]}" || exit 1

@@ -16,7 +16,7 @@ source Testing/packages.sh
 
 install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${vtk_packages[@]}" \
   "${test_packages[@]}" || exit 1
-fetch_plain_vtk "${XDG_CACHE_HOME:-$HOME/.cache}/surface-denoising/vtk-9.1" || exit 1
+fetch_plain_vtk "$unpacked/vtk-9.1" || exit 1
 
 export CMAKE_GENERATOR=Ninja
 if command -v ccache >/dev/null; then

@@ -8,28 +8,26 @@
 #   bash Examples/Survey/survey.sh                              on Debian's models, with our noise
 #   bash Examples/Survey/survey.sh --fandisk NOISY TRUTH --nicola NOISY TRUTH
 #
-# Either model may be given alone; options are those of Examples/Survey/survey.py, which --help
-# lists. What is missing is installed, and the plugin is built once, in build-paraview. Results go to
-# $OUT, by default ./out/survey.
+# Either model may be given alone; --help lists the options. What is missing is installed, and the
+# plugin is built once, in build-paraview. Results go to $OUT, by default ./out/survey.
 
 OUT=${OUT:-out/survey}
 # shellcheck source=Examples/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../common.sh" || exit 1
+show_help Survey/survey "$@"
+options=("$@")
 prepare
 
 arguments=()
 add_model() { # <name of the option> <model> <argument>...: Debian's model, unless one is given
-  local option=$1 given model=$2 truth=$out/$2.off
+  local option=$1 model=$2 truth=$out/$2.off
   shift 2
-  for given in "${options[@]}"; do
-    [ "$given" != "$option" ] || return 0
-  done
-  fetch_model || fail "cannot get the model $model"
+  ! has_option "$option" || return 0
+  fetch_model
   arguments+=("$option" "$truth" "$@")
 }
-options=("$@")
 add_model --fandisk fandisk --fandisk-view 1 -1.6 -0.9 --fandisk-up 0 0 -1
 add_model --nicola bunny00 --nicola-view 0.4 0.5 1 --nicola-up 0 1 0
 
 echo "-- repeating the survey"
-run_script ../Survey/survey.py "${arguments[@]}" "$@" || exit 1
+run_script Survey/survey "${arguments[@]}" "${options[@]}" || exit 1
