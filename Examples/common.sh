@@ -75,6 +75,9 @@ build_plugin() {
   local log=$build/$program.log
   mkdir -p "$build" || return 1
   echo "-- building the plugin in $build (a few minutes the first time)"
+  # What a configuration that failed has found must not be there for the next one.
+  [ -e "$build/build.ninja" ] || [ -e "$build/Makefile" ] ||
+    rm -rf "$build/CMakeCache.txt" "$build/CMakeFiles"
   # The generator counts where nothing is configured yet.
   { CMAKE_GENERATOR=Ninja cmake -S "$root" -B "$build" -DPython3_EXECUTABLE=/usr/bin/python3 &&
     cmake --build "$build"; } >"$log" 2>&1 || { tail -n 30 "$log" && return 1; }
