@@ -90,21 +90,33 @@ bool SetRangeScale(vtkPolyDataAlgorithm* filter, double scale)
     robust->SetScaleSource(
       scale > 0.0 ? vtkRobustNormalFilter::GIVEN : vtkRobustNormalFilter::DATA_MAD);
   }
-  return SetOn<vtkRobustNormalFilter, vtkBilateralNormalFilter, vtkNormalDiffusionFilter,
+  bool taken = false; // what a filter does not know it bounds
+  SetOn<vtkRobustNormalFilter, vtkBilateralNormalFilter, vtkNormalDiffusionFilter,
     vtkHuberNormalFilter, vtkNormalVotingTensorFilter, vtkFuzzyVectorMedianNormalFilter,
     vtkCurvatureNormalDiffusionFilter, vtkGeometricFidelityNormalFilter, vtkGuidedNormalFilter,
     vtkTukeyBilateralNormalFilter, vtkBilateralVertexFilter, vtkNonIterativeBilateralFilter,
     vtkRobustPointNormalFilter, vtkGuidedPointNormalFilter, vtkRollingPointNormalFilter>(filter,
-    [scale](auto* one) { one->SetRangeScale(scale); });
+    [scale, &taken](auto* one)
+    {
+      one->SetRangeScale(scale);
+      taken = one->GetRangeScale() == scale;
+    });
+  return taken;
 }
 
 bool SetSpatialScale(vtkPolyDataAlgorithm* filter, double scale)
 {
-  return SetOn<vtkRobustNormalFilter, vtkBilateralNormalFilter, vtkHuberNormalFilter,
+  bool taken = false; // what a filter does not know it bounds
+  SetOn<vtkRobustNormalFilter, vtkBilateralNormalFilter, vtkHuberNormalFilter,
     vtkGuidedNormalFilter, vtkTukeyBilateralNormalFilter, vtkBilateralVertexFilter,
     vtkNonIterativeBilateralFilter, vtkRobustPointNormalFilter, vtkGuidedPointNormalFilter,
     vtkBilateralPointFilter, vtkRollingPointNormalFilter>(filter,
-    [scale](auto* one) { one->SetSpatialScale(scale); });
+    [scale, &taken](auto* one)
+    {
+      one->SetSpatialScale(scale);
+      taken = one->GetSpatialScale() == scale;
+    });
+  return taken;
 }
 
 bool SetNorm(vtkPolyDataAlgorithm* filter, int norm)
@@ -194,26 +206,26 @@ vtkSmartPointer<vtkPolyDataAlgorithm> MakeFilter(const Options& options, std::st
     const char* Name;
     bool Suits;
   } wishes[] = {
-    { "--norm", options.Norm < 0 || SetNorm(filter, options.Norm) },
-    { "--range-scale", options.RangeScale < 0.0 || SetRangeScale(filter, options.RangeScale) },
-    { "--spatial-scale",
-      options.SpatialScale < 0.0 || SetSpatialScale(filter, options.SpatialScale) },
+    { "--norm", !options.Norm || SetNorm(filter, *options.Norm) },
+    { "--range-scale", !options.RangeScale || SetRangeScale(filter, *options.RangeScale) },
+    { "--spatial-scale", !options.SpatialScale || SetSpatialScale(filter, *options.SpatialScale) },
     { "--outer-iterations",
-      options.OuterIterations < 0 || SetOuterIterations(filter, options.OuterIterations) },
+      !options.OuterIterations || SetOuterIterations(filter, *options.OuterIterations) },
     { "--normal-iterations",
-      options.NormalIterations < 0 || SetNormalIterations(filter, options.NormalIterations) },
+      !options.NormalIterations || SetNormalIterations(filter, *options.NormalIterations) },
     { "--vertex-iterations",
-      options.VertexIterations < 0 || SetVertexIterations(filter, options.VertexIterations) },
+      !options.VertexIterations || SetVertexIterations(filter, *options.VertexIterations) },
     { "--maximum-displacement",
-      options.MaximumDisplacement < 0.0 ||
-        SetMaximumDisplacement(filter, options.MaximumDisplacement) },
-    { "--boundary", options.Boundary.empty() || SetBoundary(filter, options.Boundary) },
+      !options.MaximumDisplacement ||
+        SetMaximumDisplacement(filter, *options.MaximumDisplacement) },
+    { "--boundary", !options.Boundary || SetBoundary(filter, *options.Boundary) },
   };
   for (const auto& wish : wishes)
   {
     if (!wish.Suits)
     {
-      message = std::string(wish.Name) + " has no meaning for the method " + options.Method + ".";
+      message = std::string(wish.Name) + " has no meaning for the method " + options.Method +
+        ", or not this value.";
       return nullptr;
     }
   }

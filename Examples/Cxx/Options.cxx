@@ -8,11 +8,17 @@
 
 #include <CLI/CLI.hpp>
 
+#include <limits>
+
 bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode)
 {
   CLI::App app("Removes noise from a surface or a point cloud and keeps its edges and its volume.",
     "denoise");
+  // The filters have these meanings of 0 and -1.
+  const auto scale = CLI::IsMember({ -1.0 }) | CLI::NonNegativeNumber;
+  const CLI::Range iterations(-1, std::numeric_limits<int>::max());
   app.footer(
+    "Of scales and iterations 0 takes the value from the data, -1 is none: no weight, no step.\n"
     "Files: PLY, OBJ, STL, VTP, VTK; OFF, and XYZ, XYZN, PTS, ASC with points, for reading only.\n"
     "Exit codes: 0 done, 1 bad command line, 2 cannot read, 3 cannot denoise, 4 cannot write.");
 
@@ -34,21 +40,20 @@ bool ReadOptions(int argc, char* argv[], Options& options, int& exitCode)
   app
     .add_option("-r,--range-scale", options.RangeScale,
       "Differences of normals that count as noise, in the unit of the method (mostly chord length, "
-      "where 0.35 is 20 degrees); 0: from the data")
+      "where 0.35 is 20 degrees)")
     ->check(CLI::NonNegativeNumber);
   app
     .add_option("-s,--spatial-scale", options.SpatialScale,
-      "Width of the spatial kernel in mean distances of face centroids or spacings of points; 0: "
-      "none")
-    ->check(CLI::NonNegativeNumber);
+      "Width of the spatial kernel in mean distances of face centroids or spacings of points")
+    ->check(scale);
   app.add_option("-o,--outer-iterations", options.OuterIterations, "Turns of normals and points")
-    ->check(CLI::NonNegativeNumber);
+    ->check(iterations);
   app.add_option("-n,--normal-iterations", options.NormalIterations, "Steps that filter normals")
-    ->check(CLI::NonNegativeNumber);
+    ->check(iterations);
   app
     .add_option("-v,--vertex-iterations,--point-iterations", options.VertexIterations,
       "Steps that move points")
-    ->check(CLI::NonNegativeNumber);
+    ->check(iterations);
   app
     .add_option("--maximum-displacement", options.MaximumDisplacement,
       "How far points may move in mean edge lengths or spacings; 0: any distance")

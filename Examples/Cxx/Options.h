@@ -4,23 +4,24 @@
 #ifndef Options_h
 #define Options_h
 
+#include <optional>
 #include <string>
 
-/// What the command line asks for.
+/// What the command line asks for. What is not given is left to the filter.
 struct Options
 {
   std::string Input;
   std::string Output;
   std::string Reference;
-  std::string Method;       ///< empty: what suits the input
-  int Norm = -1;            ///< of vtkRobustNormalFilter::Norms, -1: the filter's default
-  double RangeScale = -1.0; ///< negative: the filter's default
-  double SpatialScale = -1.0;
-  int OuterIterations = -1;
-  int NormalIterations = -1;
-  int VertexIterations = -1;
-  double MaximumDisplacement = -1.0;
-  std::string Boundary; ///< empty: the filter's default
+  std::string Method;      ///< empty: what suits the input
+  std::optional<int> Norm; ///< of vtkRobustNormalFilter::Norms
+  std::optional<double> RangeScale;
+  std::optional<double> SpatialScale;
+  std::optional<int> OuterIterations;
+  std::optional<int> NormalIterations;
+  std::optional<int> VertexIterations;
+  std::optional<double> MaximumDisplacement;
+  std::optional<std::string> Boundary;
   int Threads = 0;
   bool Quiet = false;
 };

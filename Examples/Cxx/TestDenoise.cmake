@@ -62,6 +62,22 @@ expect(1 "has no meaning" cloud.xyz clean.vtp --method tensor-point --norm tukey
 expect(0 "64 points" cloud.xyz clean.vtp --norm tukey --range-scale 0.5 --spatial-scale 2
   --outer-iterations 2 --normal-iterations 3 --point-iterations 4 --maximum-displacement 1)
 
+# Steps and scales: 0 is from the data, -1 none, and what a filter does not know is no default of it.
+expect(0 "settings" cube.off clean.ply --range-scale 0 --spatial-scale 0 --normal-iterations 0)
+expect(0 "64 points" cloud.xyz clean.vtp --range-scale 0 --spatial-scale 0 --point-iterations 0)
+expect(0 "" cube.off kept.ply --quiet --vertex-iterations -1 --normal-iterations -1 -s -1)
+file(READ kept.ply kept)
+expect(0 "" cube.off same.ply --quiet --outer-iterations -1)
+file(READ same.ply same)
+if (NOT kept STREQUAL same)
+  message(SEND_ERROR "no vertex iterations are not the same as nothing at all")
+endif ()
+expect(1 "spatial-scale" cube.off clean.ply --spatial-scale -0.5)
+expect(1 "spatial-scale" cube.off clean.ply --method bilateral-vertex --spatial-scale -1)
+expect(1 "range-scale" cube.off clean.ply --range-scale 5)
+expect(1 "range-scale" cube.off clean.ply --range-scale -1)
+expect(1 "vertex-iterations" cube.off clean.ply --vertex-iterations -2)
+
 expect(0 "--method" --help)
 expect(1 "required" cube.off)
 expect(1 "norm" cube.off clean.ply --method robust --norm mean-ish)
