@@ -6,13 +6,13 @@
 point_table.py <times.json of SurfaceDenoisingPointBenchmarks>
                <output lines of SurfaceDenoisingPeakMemory>
 
-What did not run is left out.
+What did not run is left out. What failed is named at the end, and the exit code is 1.
 """
 
 import json
 import sys
 
-from table import fastest, least, print_figures
+from table import fastest, least, print_figures, tell_failures
 
 MILLION = 1000000
 SIZES = (100000, MILLION, 4000000)
@@ -97,7 +97,8 @@ def print_flatness(runs, threads):
 
 def main(times_file, memory_file):
     with open(times_file, encoding="utf-8") as file:
-        runs = Runs(json.load(file)["benchmarks"])
+        results = json.load(file)["benchmarks"]
+    runs = Runs(results)
     for threads in map(int, runs.values(3)):
         print_methods(runs, threads)
     for threads in map(int, runs.values(3)):
@@ -109,6 +110,7 @@ def main(times_file, memory_file):
             missed = ", MISSED" if float(bytes_per_point) > MOST_BYTES else ""
             wanted = "" if name.startswith("CGAL") else f" (wanted: {MOST_BYTES:g} or less{missed})"
             print(f"{bytes_per_point:>10}  bytes per point beyond {points} points, {name}{wanted}")
+    tell_failures(results)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,12 @@
 # them, -f '^Points/' runs those of points. Memory is measured without a filter only.
 
 set -eu -o pipefail
+
+fail() {
+  echo "Benchmarks: $*" >&2
+  exit 1
+}
+
 filter=
 only=
 model=
@@ -28,24 +34,32 @@ while getopts a:c:f:o: option; do
     *) exit 1 ;;
   esac
 done
+case $only in
+  '' | meshes | points) ;;
+  *) fail "there are benchmarks of meshes and of points, none of $only" ;;
+esac
 shift $((OPTIND - 1))
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source Testing/packages.sh
 build=${1:-build-benchmarks}
 [ $# -gt 0 ] && shift
 
-install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${benchmark_packages[@]}"
+install_packages "${build_packages[@]}" "${paraview_packages[@]}" "${benchmark_packages[@]}" ||
+  fail "cannot install what is needed"
 
 mkdir -p "$build"
-if [ ! -e "$build/fandisk.off" ]; then
-  tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -O data/meshes/fandisk.off >"$build/fandisk.off"
-fi
 export SURFACE_DENOISING_BENCHMARK_MESH="$build/fandisk.off"
+if [ ! -s "$SURFACE_DENOISING_BENCHMARK_MESH" ]; then
+  { fetch_cgal_data "$unpacked/cgal" && extract_model fandisk "$SURFACE_DENOISING_BENCHMARK_MESH"; } ||
+    fail "cannot get the model"
+fi
 
-cmake -G Ninja -S . -B "$build" -DSurfaceDenoising_BUILD_BENCHMARKS=ON \
-  -DSurfaceDenoising_WRAP_PYTHON=OFF "$@" >"$build/run.log"
+if ! { cmake -G Ninja -S . -B "$build" -DSurfaceDenoising_BUILD_BENCHMARKS=ON \
+  -DSurfaceDenoising_WRAP_PYTHON=OFF "$@" && cmake --build "$build"; } >"$build/run.log" 2>&1; then
+  tail -n 30 "$build/run.log"
+  fail "cannot build; see $build/run.log"
+fi
 grep -e '-- Benchmarks:' "$build/run.log" || true
-cmake --build "$build" >>"$build/run.log"
 
 programs="$build/Testing/Benchmarks"
 
@@ -55,12 +69,14 @@ elif [ -n "$model" ]; then
   exec "$programs/SurfaceDenoisingAutomaticBenchmark" "$model"
 fi
 
+measured=
+
 # measure <program> <file> <argument>...: runs what the filter lets through. Returns false if there is
-# nothing.
+# nothing. A failure ends it all, which set -e would not do in a condition.
 measure() {
   "$programs/$1" --benchmark_filter="${filter:-.}" \
-    --benchmark_out="$build/$2" --benchmark_out_format=json "${@:3}"
-  [ -s "$build/$2" ]
+    --benchmark_out="$build/$2" --benchmark_out_format=json "${@:3}" || fail "$1 failed"
+  [ -s "$build/$2" ] && measured=yes
 }
 
 peak_memory() {
@@ -83,3 +99,5 @@ if [ "$only" != meshes ] && measure SurfaceDenoisingPointBenchmarks point-times.
   done >"$build/point-memory.txt"
   python3 Testing/Benchmarks/point_table.py "$build/point-times.json" "$build/point-memory.txt"
 fi
+
+[ -n "$measured" ] || fail "the filter $filter lets nothing through"

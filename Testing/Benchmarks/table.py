@@ -5,7 +5,8 @@
 
 table.py <times.json of SurfaceDenoisingBenchmarks> <output lines of SurfaceDenoisingPeakMemory>
 
-Tables whose benchmarks did not run are left out.
+Tables whose benchmarks did not run are left out. Those that failed are named at the end, and the
+exit code is 1.
 """
 
 import json
@@ -28,6 +29,14 @@ def fastest(results):
             if name not in times or result["real_time"] < times[name]["real_time"]:
                 times[name] = result
     return times
+
+
+def tell_failures(results):
+    """Ends the program if there are any."""
+    failures = [f"{result['name']}: {result['error_message']}" for result in results
+                if result.get("error_occurred")]
+    if failures:
+        sys.exit("\n".join(["Benchmarks that failed:"] + list(dict.fromkeys(failures))))
 
 
 def flatness(times, name):
@@ -141,6 +150,7 @@ def main(times_file, memory_file):
                         "1.3 or less"),
                        (max(processor) / min(processor), "the same in processor time", "")])
         print_memory(memory, "Guided Normal")
+    tell_failures(results)
 
 
 if __name__ == "__main__":
