@@ -8,9 +8,15 @@
 #   build-vtk       plain VTK 9.1 with Python              all tests but those of the plugin
 #   build-asan      plain VTK 9.1, address and undefined   tests in C++ but those of quality
 #
-# Ends with zero only if all builds and tests went well. Further arguments go to ctest.
+# Ends with zero only if all builds and tests went well. Arguments go to ctest: -R Demo runs the tests
+# of this name. Tests that compare with other programs' results are skipped unless
+# SURFACE_DENOISING_DATA names a folder with these.
 
 set -u -o pipefail
+if [ "${1-}" = -h ] || [ "${1-}" = --help ]; then
+  sed -n '5,/^$/s/^# \{0,1\}//p' "$0"
+  exit
+fi
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 source Testing/packages.sh
 
