@@ -4,6 +4,7 @@
 // Work on points can be stopped at any question, and asks often enough; what can be stopped has the
 // bits of what cannot.
 
+#include "InterruptedExecution.h"
 #include "InterruptedLoops.h"
 #include "OddThreads.h"
 #include "Points/InputNeighbors.h"
@@ -90,6 +91,53 @@ TEST(Stops, SortsAsTheStandardLibrary)
     {
       ASSERT_EQ(values[i].Number, expected[i].Number) << i << " of " << count;
     }
+  }
+}
+
+TEST(Stops, PiecesCoverALoopOnce)
+{
+  for (const std::size_t count : { 0, 1, 63, 1000, 70001 })
+  {
+    for (const std::size_t grain : { 1, 100, 4096 })
+    {
+      Execution serial;
+      InterruptedExecution pieces(serial, 0.0, 1.0);
+      std::vector<int> times(count, 0);
+      pieces.For(
+        count,
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            ++times[i];
+          }
+        },
+        grain);
+      EXPECT_EQ(times, std::vector<int>(count, 1)) << count << " " << grain;
+    }
+  }
+}
+
+// On many threads, small loops as well.
+TEST(Stops, PiecesGrowToHaveManyShares)
+{
+  class Shares : public Execution
+  {
+  public:
+    void For(std::size_t count, const Body& body, std::size_t grain) override
+    {
+      this->Most = std::max(this->Most, count / grain);
+      body(0, count);
+    }
+    std::size_t Most = 0;
+  };
+  for (const std::size_t grain : { 1, 256 })
+  {
+    Shares shares;
+    InterruptedExecution pieces(shares, 0.0);
+    pieces.For(
+      20000, [](std::size_t, std::size_t) {}, grain);
+    EXPECT_GE(shares.Most, 32u) << grain;
   }
 }
 

@@ -17,35 +17,42 @@ namespace
 
 /// Places of outliers on the surface of the denoised points; those farther away than reach stay.
 void PullOutliers(PointCloud& cloud, const Buffer<Index>& outliers, const PointCloud& clean,
-  double reach, AutomaticCloudReport& report)
+  double reach, AutomaticCloudReport& report, Execution& execution)
 {
   const KdTree tree(clean.Positions);
-  std::vector<Index> found;
-  SurfaceStep way;
-  for (const Index i : outliers)
-  {
-    const Vec3 place = cloud.Positions[i];
-    cloud.Status[i] = PointStatus::Kept;
-    tree.Nearest(place, SurfaceStep::QuadricNeighbors, found);
-    way.Start();
-    Vec3 side(0.0, 0.0, 0.0);
-    for (const Index j : found)
+  execution.For(
+    outliers.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      way.Add(clean.Positions[j] - place);
-      side += clean.Normals[j];
-    }
-    Vec3 normal;
-    const Vec3 step = way.Step(normal);
-    if (normal.isZero(0.0) || step.norm() > reach)
-    {
-      ++report.LeftOutliers;
-      continue;
-    }
-    cloud.Positions[i] = place + step;
-    cloud.Normals[i] = side.dot(normal) < 0.0 ? Vec3(-normal) : normal;
-    cloud.Status[i] = PointStatus::Filtered;
-    ++report.Pulled;
-  }
+      std::vector<Index> found;
+      SurfaceStep way;
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const Index i = outliers[k];
+        const Vec3 place = cloud.Positions[i];
+        cloud.Status[i] = PointStatus::Kept;
+        tree.Nearest(place, SurfaceStep::QuadricNeighbors, found);
+        way.Start();
+        Vec3 side(0.0, 0.0, 0.0);
+        for (const Index j : found)
+        {
+          way.Add(clean.Positions[j] - place);
+          side += clean.Normals[j];
+        }
+        Vec3 normal;
+        const Vec3 step = way.Step(normal);
+        if (!normal.isZero(0.0) && step.norm() <= reach)
+        {
+          cloud.Positions[i] = place + step;
+          cloud.Normals[i] = side.dot(normal) < 0.0 ? Vec3(-normal) : normal;
+          cloud.Status[i] = PointStatus::Filtered;
+        }
+      }
+    },
+    256);
+  report.Pulled = std::size_t(std::count_if(outliers.begin(), outliers.end(),
+    [&](Index i) { return cloud.Status[i] == PointStatus::Filtered; }));
+  report.LeftOutliers = outliers.size() - report.Pulled;
 }
 
 }
@@ -107,9 +114,10 @@ bool DenoiseAutomatically(PointCloud& cloud, const AutomaticSettings& asked,
     cloud.Normals[kept[k]] = clean.Normals[k];
     cloud.Status[kept[k]] = clean.Status[k];
   }
-  PullOutliers(cloud, outliers, clean, 10.0 * report.Noise.Spacing, report);
+  InterruptedExecution pulling(execution, 1.0);
+  PullOutliers(cloud, outliers, clean, 10.0 * report.Noise.Spacing, report, pulling);
   report.Denoising.NotFinite = all - order.size();
-  return true;
+  return pulling.Proceed(1.0);
 }
 
 }

@@ -80,29 +80,45 @@ private:
 
 /// Whether those that are marked are off the surface around them, where others beside them are not.
 bool IsWorthMoving(const Buffer<Vec3>& points, const CompressedRows& nearest,
-  const SpikeSites& sites, const Buffer<unsigned char>& marks)
+  const SpikeSites& sites, const Buffer<unsigned char>& marks, Execution& execution)
 {
-  SurfaceStep way;
+  constexpr double Nobody = -1.0; // neither marked nor beside one that is
+  Buffer<double> steps(points.size(), Nobody);
+  execution.For(
+    points.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      SurfaceStep way;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Span<Index> beside = sites.Beside.Row(i);
+        if (!marks[i] &&
+          std::none_of(beside.begin(), beside.end(), [&](Index j) { return marks[j]; }))
+        {
+          continue;
+        }
+        way.Start();
+        for (const Index j : nearest.Row(i))
+        {
+          if (!marks[j] && !way.IsFull())
+          {
+            way.Add(points[j] - points[i]);
+          }
+        }
+        Vec3 normal;
+        steps[i] = way.Step(normal).norm();
+      }
+    },
+    256);
   double sums[2] = { 0.0, 0.0 };
   std::size_t counts[2] = { 0, 0 };
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Span<Index> beside = sites.Beside.Row(i);
-    if (!marks[i] && std::none_of(beside.begin(), beside.end(), [&](Index j) { return marks[j]; }))
+    if (steps[i] != Nobody)
     {
-      continue;
+      sums[marks[i]] += steps[i];
+      ++counts[marks[i]];
     }
-    way.Start();
-    for (const Index j : nearest.Row(i))
-    {
-      if (!marks[j] && !way.IsFull())
-      {
-        way.Add(points[j] - points[i]);
-      }
-    }
-    Vec3 normal;
-    sums[marks[i]] += way.Step(normal).norm();
-    ++counts[marks[i]];
   }
   return sums[1] * double(counts[0]) > LeastGain * sums[0] * double(counts[1]);
 }
@@ -147,7 +163,7 @@ bool FindImpulses(const Buffer<Vec3>& points, const CompressedRows& nearest, dou
     return scores;
   };
   return FindImpulses(sites, marks, execution) && execution.Proceed(0.0) &&
-    IsWorthMoving(points, nearest, sites, marks);
+    IsWorthMoving(points, nearest, sites, marks, execution);
 }
 
 }
