@@ -38,6 +38,30 @@ DistanceSum AdjacentDistances(const NeighborGraph& adjacent, const Buffer<Vec3>&
   return sum;
 }
 
+/// The faces that share an edge with a face, or a vertex that is no large fan.
+void AppendSharingBesideFans(const TriangleMesh& mesh, const CompressedRows& stars, std::size_t f,
+  Buffer<Index>& row)
+{
+  const std::size_t first = row.size();
+  const Triangle& t = mesh.Triangles[f];
+  for (const Index v : t)
+  {
+    const bool fan = stars.Row(v).size() > LargestFan;
+    for (const Index g : stars.Row(v))
+    {
+      const Triangle& other = mesh.Triangles[g];
+      if (g != f &&
+        (!fan ||
+          std::any_of(t.begin(), t.end(), [&](Index w) { return w != v && HasCorner(other, w); })))
+      {
+        row.push_back(g);
+      }
+    }
+  }
+  std::sort(row.begin() + static_cast<std::ptrdiff_t>(first), row.end());
+  row.erase(std::unique(row.begin() + static_cast<std::ptrdiff_t>(first), row.end()), row.end());
+}
+
 }
 
 NeighborGraph EdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& stars,
@@ -79,8 +103,14 @@ NeighborGraph VertexSharingFaces(const TriangleMesh& mesh, const CompressedRows&
   return BuildRows(execution, mesh.NumberOfFaces(),
     [&](std::size_t f, Buffer<Index>& row)
     {
-      // A face is taken at the first of the three corners that it shares.
       const Triangle t = mesh.Triangles[f];
+      const auto isFan = [&](Index v) { return stars.Row(v).size() > LargestFan; };
+      if (isFan(t[0]) || isFan(t[1]) || isFan(t[2]))
+      {
+        AppendSharingBesideFans(mesh, stars, f, row);
+        return;
+      }
+      // A face is taken at the first of the three corners that it shares.
       for (const Index g : stars.Row(t[0]))
       {
         if (g != f)

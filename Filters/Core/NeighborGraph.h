@@ -24,7 +24,14 @@ using NeighborGraph = CompressedRows;
 NeighborGraph EdgeAdjacentFaces(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution);
 
-/// Faces that share a vertex or more, about 12 on a regular mesh.
+/// Vertices of more faces are large fans.
+constexpr std::size_t LargestFan = 400;
+
+/**
+ * Faces that share a vertex or more, about 12 on a regular mesh. Of a large fan, as CAD programs
+ * make them of discs, only faces that share an edge are neighbours, or another vertex: the others
+ * are not near one another, and their number would be its square.
+ */
 NeighborGraph VertexSharingFaces(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution);
 

@@ -213,3 +213,40 @@ TEST(NeighborGraph, RadiusDoesNotReachThroughAWall)
     }
   }
 }
+
+// Two cones on one circle.
+TEST(NeighborGraph, FacesOfLargeFansAreNeighboursAcrossEdges)
+{
+  for (const Index sides : { Index(LargestFan), Index(LargestFan + 1) })
+  {
+    TriangleMesh mesh;
+    for (Index i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * 3.14159265358979323846 * i / sides;
+      mesh.Positions.push_back(Vec3(std::cos(angle), std::sin(angle), 0.0));
+      const Index next = (i + 1) % sides;
+      mesh.Triangles.push_back({ i, next, sides });
+      mesh.Triangles.push_back({ next, i, sides + 1 });
+    }
+    mesh.Positions.push_back(Vec3(0.0, 0.0, 1.0));
+    mesh.Positions.push_back(Vec3(0.0, 0.0, -1.0));
+    Execution serial;
+    const Sets rows = ToSets(VertexSharingFaces(mesh, VertexStars(mesh), serial));
+    if (sides <= LargestFan)
+    {
+      EXPECT_EQ(rows, FacesThatShare(mesh, 1));
+      continue;
+    }
+    for (Index f = 0; f < rows.size(); ++f)
+    {
+      std::set<Index> expected;
+      for (const Index side : { f / 2 + sides - 1, f / 2, f / 2 + 1 })
+      {
+        expected.insert(side % sides * 2);
+        expected.insert(side % sides * 2 + 1);
+      }
+      expected.erase(f);
+      EXPECT_EQ(rows[f], expected) << f;
+    }
+  }
+}
