@@ -83,8 +83,7 @@ int vtkDenoiseSurface::RequestData(vtkInformation*, vtkInformationVector** input
     output->ShallowCopy(input);
     return 1;
   }
-  const bool cloud =
-    this->PointsOnly || input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0;
+  const bool cloud = this->PointsOnly || !sd::HasPolygons(input);
   bool good = false;
   sd::RunOnThreads(this->NumberOfThreads,
     [&] { good = cloud ? this->DenoiseCloud(input, output) : this->DenoiseMesh(input, output); });
@@ -144,7 +143,7 @@ bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
   const sd::AutomaticSettings settings(this->Strength,
     static_cast<sd::SurfaceType>(this->SurfaceType));
   sd::SMPExecution execution(this);
-  vtkDataArray* normals = sd::GivenNormals(input);
+  vtkDataArray* normals = sd::GivenNormals(input, !sd::HasPolygons(input));
   sd::PointView view;
   std::string error;
   if (!sd::ReadPoints(input, normals, view, error, execution))

@@ -181,9 +181,10 @@ bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::
   return true;
 }
 
-vtkDataArray* GivenNormals(vtkPolyData* data)
+vtkDataArray* GivenNormals(vtkPolyData* data, bool isCloud)
 {
-  if (vtkDataArray* active = data->GetPointData()->GetNormals())
+  vtkDataArray* active = data->GetPointData()->GetNormals();
+  if (active || !isCloud)
   {
     return active;
   }
@@ -193,7 +194,7 @@ vtkDataArray* GivenNormals(vtkPolyData* data)
 
 Buffer<Vec3> NormalsOfFaces(vtkPolyData* data, Execution& execution)
 {
-  if (data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
+  if (!HasPolygons(data))
   {
     return {};
   }

@@ -34,9 +34,10 @@ struct PointView
 bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::string& error,
   Execution& execution);
 
-/// The array with the normals that the points came with: the active one, or one of three components
-/// that is called "Normals". Null if there is none.
-vtkDataArray* GivenNormals(vtkPolyData* data);
+/// The array with the normals that the points came with: the active one, or of a point cloud one of
+/// three components that is called "Normals". (On a surface, such an array is what a filter left of
+/// the surface before.) Null if there is none.
+vtkDataArray* GivenNormals(vtkPolyData* data, bool isCloud);
 
 /// Normals of the points from the polygons and strips around them, means weighted by area; zero for
 /// points without polygons. Empty if there are no polygons or if they cannot be read.

@@ -90,6 +90,11 @@ Extent FindExtent(const TriangleMesh& mesh, Execution& execution)
 
 }
 
+bool HasPolygons(vtkPolyData* data)
+{
+  return data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
+}
+
 bool ReadSurface(vtkPolyData* surface, MeshView& view, std::string& error, Execution& execution)
 {
   view = MeshView();

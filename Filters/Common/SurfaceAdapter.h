@@ -44,6 +44,9 @@ struct MeshView
   }
 };
 
+/// True if there are polygons or strips, whatever their area; points without any are a cloud.
+bool HasPolygons(vtkPolyData* data);
+
 /**
  * Reads the polygons and strips of a surface. Fails with a message that names the culprit if a cell
  * refers to a point that does not exist, a point in use has a coordinate that is not finite, or

@@ -3,6 +3,8 @@
 
 #include "ComparedSurface.h"
 
+#include "PointAdapter.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
@@ -120,11 +122,7 @@ Statistics ComparedSurface::SummarizeVertices(Buffer<double> values, Execution& 
 
 bool ComparedSurface::ReadPointNormals(Buffer<Vec3>& normals) const
 {
-  vtkDataArray* array = this->Data->GetPointData()->GetNormals();
-  if (!array && this->IsCloud())
-  {
-    array = this->Data->GetPointData()->GetArray("Normals");
-  }
+  vtkDataArray* array = GivenNormals(this->Data, this->IsCloud());
   if (!array || array->GetNumberOfComponents() != 3 ||
     array->GetNumberOfTuples() != this->Data->GetNumberOfPoints())
   {

@@ -68,10 +68,8 @@ struct ComparedSurface
   Statistics SummarizeVertices(Buffer<double> values, Execution& execution) const;
 
   /**
-   * Unit normals of the points: the active ones, or of a cloud the array "Normals" if there are no
-   * active ones. (On a surface, such an array is what a filter left of the surface before.) Zero
-   * for those that are zero or not finite. False if there are none, or if they have not three
-   * components and a tuple for every point.
+   * Unit normals of the points, see GivenNormals. Zero for those that are zero or not finite. False
+   * if there are none, or if they have not three components and a tuple for every point.
    */
   bool ReadPointNormals(Buffer<Vec3>& normals) const;
 

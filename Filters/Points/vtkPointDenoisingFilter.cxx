@@ -9,6 +9,7 @@
 #include "PointAdapter.h"
 #include "Points/PointMethods.h"
 #include "SMPExecution.h"
+#include "SurfaceAdapter.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -91,7 +92,7 @@ int vtkPointDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector**
 bool vtkPointDenoisingFilter::FindNormals(vtkInformationVector** inputVector,
   vtkDataArray*& normals)
 {
-  vtkPointData* pointData = vtkPolyData::GetData(inputVector[0])->GetPointData();
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkInformation* chosen = this->GetInputArrayInformation(0);
   const std::string name =
     chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : "";
@@ -100,7 +101,7 @@ bool vtkPointDenoisingFilter::FindNormals(vtkInformationVector** inputVector,
   {
     const bool ofPoints =
       chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    normals = ofPoints ? pointData->GetArray(name.c_str()) : nullptr;
+    normals = ofPoints ? input->GetPointData()->GetArray(name.c_str()) : nullptr;
     if (!normals)
     {
       vtkErrorMacro(<< "The input has no point array " << name << " with the normals.");
@@ -108,7 +109,7 @@ bool vtkPointDenoisingFilter::FindNormals(vtkInformationVector** inputVector,
     }
     return true;
   }
-  normals = sd::GivenNormals(vtkPolyData::GetData(inputVector[0]));
+  normals = sd::GivenNormals(input, !sd::HasPolygons(input));
   return true;
 }
 

@@ -19,9 +19,10 @@
  * - the field array "DenoisingReport" with what was found and done, one tuple with named
  *   components.
  *
- * Normals to start with are those of the input, if there are any: the active point normals, a point
- * array called "Normals", or the array that is named with SetInputArrayToProcess(0, 0, 0,
- * vtkDataObject::FIELD_ASSOCIATION_POINTS, name). See NormalSource. Points with a zero or infinite
+ * Normals to start with are those of the input, if there are any: the array that is named with
+ * SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name), the active point
+ * normals, or, without polygons and strips, a point array called "Normals" (on a surface, that is
+ * what a filter left of the surface before). See NormalSource. Points with a zero or infinite
  * normal get one of a fit.
  *
  * Inputs that are not perfect: points with a NaN or infinite coordinate stay as they are and are

@@ -222,6 +222,10 @@ void TestPolygons(const PointFilter& about, int& failures)
     auto given = Copy(mesh);
     given->GetPointData()->SetNormals(SphereNormals(mesh, "Normals", 0.1, -side));
     CHECK(test.Quiet(given) && side * Outwards(test.Filter->GetOutput()) < -all);
+    // What a filter left of the surface before is no longer about this one.
+    given->GetPointData()->SetActiveNormals(nullptr);
+    CHECK(test.Quiet(given) && side * Outwards(test.Filter->GetOutput()) > all);
+    CHECK(test.Filter->GetNumberOfFittedNormals() == mesh->GetNumberOfPoints());
 
     test.Filter->SetNormalSourceToInput();
     CHECK(test.Quiet(mesh) && side * Outwards(test.Filter->GetOutput()) > all);
