@@ -37,31 +37,6 @@ Vec3 UnitOrZero(const Vec3& v)
   return n / n.norm();
 }
 
-bool ReadNormals(vtkDataArray* array, vtkPolyData* data, Buffer<Vec3>& normals, std::string& error,
-  Execution& execution)
-{
-  if (array->GetNumberOfComponents() != 3 ||
-    array->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    error = std::string("Array ") + (array->GetName() ? array->GetName() : "(no name)") +
-      " is no field of point normals: it has " + std::to_string(array->GetNumberOfTuples()) +
-      " tuples of " + std::to_string(array->GetNumberOfComponents()) + " components for " +
-      std::to_string(data->GetNumberOfPoints()) + " points.";
-    return false;
-  }
-  normals.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  OnArray(array, CopyVectors{}, normals, execution);
-  execution.For(normals.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        normals[i] = UnitOrZero(normals[i]);
-      }
-    });
-  return true;
-}
-
 /// The data with one of the finite points in place of each that is not; the data themselves if all
 /// points are finite, or none.
 vtkSmartPointer<vtkPolyData> WithFinitePoints(vtkPolyData* data, Buffer<unsigned char>& isFinite,
@@ -134,6 +109,31 @@ void AddBytes(const char* name, const Buffer<Value>& values, vtkPolyData* output
   output->GetPointData()->AddArray(array);
 }
 
+}
+
+bool ReadNormals(vtkDataArray* array, vtkPolyData* data, Buffer<Vec3>& normals, std::string& error,
+  Execution& execution)
+{
+  if (array->GetNumberOfComponents() != 3 ||
+    array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    error = std::string("Array ") + (array->GetName() ? array->GetName() : "(no name)") +
+      " is no field of point normals: it has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples of " + std::to_string(array->GetNumberOfComponents()) + " components for " +
+      std::to_string(data->GetNumberOfPoints()) + " points.";
+    return false;
+  }
+  normals.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  OnArray(array, CopyVectors{}, normals, execution);
+  execution.For(normals.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        normals[i] = UnitOrZero(normals[i]);
+      }
+    });
+  return true;
 }
 
 bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::string& error,

@@ -26,10 +26,17 @@ struct PointView
 };
 
 /**
+ * Reads an array of normals of the points as unit vectors; zero and infinite ones become zero,
+ * which is no normal. Fails with a message if the array has not three components and a tuple per
+ * point.
+ */
+bool ReadNormals(vtkDataArray* array, vtkPolyData* data, Buffer<Vec3>& normals, std::string& error,
+  Execution& execution);
+
+/**
  * Reads all points, whether cells use them or not, and the normals of an array (or of none if it is
- * null), which become unit vectors; zero and infinite ones become zero, which is no normal. Fails
- * with a message if there are more than 4294967294 points, if the array has not three components
- * and a tuple per point, or if the extent is beyond double precision.
+ * null). Fails with a message if there are more than 4294967294 points, if the extent is beyond
+ * double precision, or if ReadNormals fails.
  */
 bool ReadPoints(vtkPolyData* data, vtkDataArray* normals, PointView& view, std::string& error,
   Execution& execution);

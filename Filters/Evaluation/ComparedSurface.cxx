@@ -120,23 +120,11 @@ Statistics ComparedSurface::SummarizeVertices(Buffer<double> values, Execution& 
   return Summarize(values, {}, execution);
 }
 
-bool ComparedSurface::ReadPointNormals(Buffer<Vec3>& normals) const
+bool ComparedSurface::ReadPointNormals(Buffer<Vec3>& normals, Execution& execution) const
 {
   vtkDataArray* array = GivenNormals(this->Data, this->IsCloud());
-  if (!array || array->GetNumberOfComponents() != 3 ||
-    array->GetNumberOfTuples() != this->Data->GetNumberOfPoints())
-  {
-    return false;
-  }
-  normals.resize(this->NumberOfVertices());
-  for (std::size_t i = 0; i < normals.size(); ++i)
-  {
-    Vec3& n = normals[i];
-    array->GetTuple(static_cast<vtkIdType>(i), n.data());
-    const double length = n.stableNorm();
-    n = length > 0.0 && std::isfinite(length) ? Vec3(n / length) : Vec3(0.0, 0.0, 0.0);
-  }
-  return true;
+  std::string ignored;
+  return array && ReadNormals(array, this->Data, normals, ignored, execution);
 }
 
 vtkSmartPointer<vtkDoubleArray> ComparedSurface::CellMeans(const Buffer<double>& values,

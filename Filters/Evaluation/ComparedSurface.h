@@ -68,10 +68,10 @@ struct ComparedSurface
   Statistics SummarizeVertices(Buffer<double> values, Execution& execution) const;
 
   /**
-   * Unit normals of the points, see GivenNormals. Zero for those that are zero or not finite. False
-   * if there are none, or if they have not three components and a tuple for every point.
+   * Unit normals of the points, see GivenNormals and ReadNormals. False if there are none, or none
+   * that can be read.
    */
-  bool ReadPointNormals(Buffer<Vec3>& normals) const;
+  bool ReadPointNormals(Buffer<Vec3>& normals, Execution& execution) const;
 
   /// For each cell the area-weighted mean of the values of its faces, NaN without any.
   vtkSmartPointer<vtkDoubleArray> CellMeans(const Buffer<double>& values, const char* name) const;

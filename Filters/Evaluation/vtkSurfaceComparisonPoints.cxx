@@ -79,8 +79,8 @@ void vtkSurfaceComparison::ComparePointNormals(Work& work)
   const ComparedSurface& reference = work.Reference;
   Buffer<Vec3> normals;
   Buffer<Vec3> expected;
-  if (!result.ReadPointNormals(normals) ||
-    (reference.IsCloud() && !reference.ReadPointNormals(expected)))
+  if (!result.ReadPointNormals(normals, work.Execution) ||
+    (reference.IsCloud() && !reference.ReadPointNormals(expected, work.Execution)))
   {
     return;
   }

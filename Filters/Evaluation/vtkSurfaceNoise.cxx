@@ -5,6 +5,7 @@
 
 #include "NeighborGraph.h"
 #include "Noise.h"
+#include "PointAdapter.h"
 #include "PolygonGeometry.h"
 #include "SMPExecution.h"
 #include "SurfaceAdapter.h"
@@ -18,7 +19,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
+#include <algorithm>
 
 using namespace SurfaceDenoising;
 
@@ -38,20 +39,6 @@ double MeanNearestDistance(const Buffer<Vec3>& points, Execution& execution)
       return row.size() > 0 ? (points[i] - points[row[0]]).norm() : 0.0;
     });
   return nearest.NumberOfIds() > 0 ? sum / static_cast<double>(nearest.NumberOfIds()) : 0.0;
-}
-
-/// The vectors of the array, normalised; zero where there is no direction.
-Buffer<Vec3> ReadUnitVectors(vtkDataArray* array)
-{
-  Buffer<Vec3> vectors(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-  {
-    array->GetTuple(static_cast<vtkIdType>(i), vectors[i].data());
-    const double length = vectors[i].stableNorm();
-    vectors[i] =
-      length > 0.0 && std::isfinite(length) ? Vec3(vectors[i] / length) : Vec3(0.0, 0.0, 0.0);
-  }
-  return vectors;
 }
 
 /// Moves every position. Without normals, directions are random.
@@ -124,16 +111,24 @@ bool vtkSurfaceNoise::MovePoints(vtkPolyData* input, vtkPolyData* output)
   }
 
   Buffer<Vec3> normals;
-  if (this->Direction == VertexNormals)
+  if (this->Direction == VertexNormals && isSurface)
   {
-    if (!isSurface && !input->GetPointData()->GetNormals())
+    normals = SurfaceDenoising::VertexNormals(input, view, this->UnitLength);
+  }
+  else if (this->Direction == VertexNormals)
+  {
+    vtkDataArray* given = GivenNormals(input, true);
+    if (!given)
     {
       vtkErrorMacro("A point set without polygons needs point normals for noise along them. "
                     "Compute normals or choose random directions.");
       return false;
     }
-    normals = isSurface ? SurfaceDenoising::VertexNormals(input, view, this->UnitLength)
-                        : ReadUnitVectors(input->GetPointData()->GetNormals());
+    if (!ReadNormals(given, input, normals, error, execution))
+    {
+      vtkErrorMacro(<< error);
+      return false;
+    }
   }
   if (!execution.Proceed(0.5))
   {

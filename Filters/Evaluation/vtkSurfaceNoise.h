@@ -71,7 +71,8 @@ public:
     /**
      * With polygons: the normals of the vertices of the input, area-weighted means of the normals
      * of the faces around them, whatever point normals the input has. Without polygons: the point
-     * normals of the input, which must be there.
+     * normals of the input, the active ones or the array "Normals", of any length. They must be
+     * there, with three components and one for every point, or it is an error.
      */
     VertexNormals = 0,
     /**

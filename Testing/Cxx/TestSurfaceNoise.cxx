@@ -245,6 +245,14 @@ void TestPointSets()
   Check(noise->GetOutput()->GetPointData()->GetNormals() != nullptr,
     "normals of points stay active");
 
+  vtkSmartPointer<vtkPolyData> named = DeepCopy(points);
+  named->GetPointData()->SetActiveNormals(nullptr);
+  named->GetPointData()->GetArray("Measured")->SetName("Normals");
+  vtkNew<vtkSurfaceNoise> byName;
+  byName->SetInputData(named);
+  byName->Update();
+  Check(SamePoints(noise->GetOutput(), byName->GetOutput()), "an array Normals will do");
+
   const double nan = std::numeric_limits<double>::quiet_NaN();
   points->GetPoints()->SetPoint(7, nan, 0.0, 0.0);
   points->Modified();
@@ -254,6 +262,18 @@ void TestPointSets()
   Check(std::isnan(noise->GetOutput()->GetPoint(7)[0]), "NaN stays");
   Check(noise->GetOutput()->GetPoint(8)[2] != 0.0, "the others move");
   CheckNear(noise->GetUnitLength(), Step, 1e-15, "NaN is nobody's neighbour");
+
+  vtkDataArray* normals = points->GetPointData()->GetNormals();
+  for (const vtkIdType count : { NumberOfPoints - 1, NumberOfPoints + 1, 0 })
+  {
+    messages->Errors.clear();
+    normals->SetNumberOfTuples(count);
+    points->Modified();
+    noise->Update();
+    Check(messages->Errors.find("Array Measured is no field of point normals") != std::string::npos,
+      "there is a normal for every point");
+    Check(noise->GetOutput()->GetNumberOfPoints() == 0, "no output without");
+  }
 
   points->GetPointData()->SetNormals(nullptr);
   noise->Update();
