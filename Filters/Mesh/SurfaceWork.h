@@ -12,14 +12,11 @@
 #include "DenoisingReport.h"
 #include "SurfaceAdapter.h"
 
-class vtkInformationVector;
-
 namespace SurfaceDenoising
 {
 
 struct SurfaceWork
 {
-  vtkInformationVector** InputVector;
   vtkPolyData* Input;
   Execution& Exec;
   MeshView View; ///< of the input; its positions are moved

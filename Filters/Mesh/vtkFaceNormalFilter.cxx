@@ -7,8 +7,6 @@
 #include "Methods.h"
 #include "SurfaceWork.h"
 
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
 #include "vtkMath.h"
 
 #include <cmath>
@@ -92,17 +90,6 @@ void vtkFaceNormalFilter::Configure(sd::MeshDenoisingSettings& settings)
     this->Open->Take("NumberOfVertexIterations", this->NumberOfVertexIterations,
       settings.VertexIterations);
   }
-}
-
-vtkDataArray* vtkFaceNormalFilter::FindStartNormals(vtkInformationVector** inputVector,
-  bool& needed)
-{
-  vtkInformation* chosen = this->GetInputArrayInformation(0);
-  const char* name =
-    chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : "";
-  // "None" is how ParaView says that nothing was chosen.
-  needed = name[0] != '\0' && std::string(name) != "None";
-  return needed ? this->GetInputArrayToProcess(0, inputVector) : nullptr;
 }
 
 void vtkFaceNormalFilter::TakeReport(const sd::MeshDenoisingReport& report)

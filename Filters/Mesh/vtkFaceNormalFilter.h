@@ -18,7 +18,7 @@
  * normals as cell array "FilteredNormals" on the input's points, and let vtkNormalVertexUpdate move
  * the points. To start from other normals than those of the faces, say from a learned predictor,
  * name a cell array with SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS,
- * name).
+ * name). Without such an array, and with one of another association, it is an error.
  *
  * S. K. Yadav, M. Skrodzki, E. Zimmermann, K. Polthier, "Surface Denoising based on Normal
  * Filtering in a Robust Statistics Framework".
@@ -114,7 +114,6 @@ protected:
 
   Outcome Denoise(SurfaceDenoising::SurfaceWork& work) override;
   void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) override;
-  vtkDataArray* FindStartNormals(vtkInformationVector** inputVector, bool& needed) override;
   void TakeReport(const SurfaceDenoising::MeshDenoisingReport& report) override;
 
   /// The settings of the method.

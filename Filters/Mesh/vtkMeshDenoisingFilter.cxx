@@ -35,15 +35,14 @@ int vtkMeshDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector** 
     return 1;
   }
   bool good = false;
-  sd::RunOnThreads(this->NumberOfThreads, [&] { good = this->Process(inputVector, output); });
+  sd::RunOnThreads(this->NumberOfThreads, [&] { good = this->Process(input, output); });
   return good ? 1 : 0;
 }
 
-bool vtkMeshDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPolyData* output)
+bool vtkMeshDenoisingFilter::Process(vtkPolyData* input, vtkPolyData* output)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   sd::SMPExecution execution(this);
-  sd::SurfaceWork work{ inputVector, input, execution, {}, {}, {} };
+  sd::SurfaceWork work{ input, execution, {}, {}, {} };
   std::string error;
   if (!sd::ReadSurface(input, work.View, error, execution))
   {

@@ -131,7 +131,7 @@ private:
   vtkMeshDenoisingFilter(const vtkMeshDenoisingFilter&) = delete;
   void operator=(const vtkMeshDenoisingFilter&) = delete;
 
-  bool Process(vtkInformationVector** inputVector, vtkPolyData* output);
+  bool Process(vtkPolyData* input, vtkPolyData* output);
 };
 
 #endif

@@ -5,8 +5,11 @@
 
 #include "Automatic/OpenSettings.h"
 #include "Automatic/ProgressShare.h"
+#include "ChosenArray.h"
 #include "MeshDenoising.h"
 #include "SurfaceWork.h"
+
+#include "vtkDataObject.h"
 
 namespace sd = SurfaceDenoising;
 
@@ -22,16 +25,17 @@ vtkNormalFittingFilter::~vtkNormalFittingFilter() = default;
 
 vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork& work)
 {
-  bool needed = false;
-  vtkDataArray* startNormals = this->FindStartNormals(work.InputVector, needed);
-  if (needed && !startNormals)
+  const sd::ArrayChoice start =
+    sd::ChosenArray(this, work.Input, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  if ((start.Made || this->NeedsStartNormals()) && !start.Array)
   {
-    vtkErrorMacro(<< "The input has no cell array with the normals to start from.");
+    vtkErrorMacro(<< "The input has no cell array " << start.Name
+                  << " with the normals to start from.");
     return FAILED;
   }
   std::string error;
-  if (startNormals &&
-    !sd::ReadCellVectors(startNormals, work.Input, work.View, work.FaceNormals, error))
+  if (start.Array &&
+    !sd::ReadCellVectors(start.Array, work.Input, work.View, work.FaceNormals, error))
   {
     vtkErrorMacro(<< error);
     return FAILED;

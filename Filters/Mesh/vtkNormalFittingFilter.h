@@ -134,9 +134,9 @@ protected:
   /// Subclasses complete the settings of the normal stage.
   virtual void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) = 0;
 
-  /// The cell array of normals to start from instead of those of the faces, or null. Sets needed if
-  /// it must be there.
-  virtual vtkDataArray* FindStartNormals(vtkInformationVector** inputVector, bool& needed) = 0;
+  /// True if a cell array of normals to start from must have been chosen; without, those of the
+  /// faces will do.
+  virtual bool NeedsStartNormals() const { return false; }
 
   /// Subclasses that have more to tell take it from here, after an execution.
   virtual void TakeReport(const SurfaceDenoising::MeshDenoisingReport& report);

@@ -28,13 +28,6 @@ void vtkNormalVertexUpdate::Configure(SurfaceDenoising::MeshDenoisingSettings& s
   }
 }
 
-vtkDataArray* vtkNormalVertexUpdate::FindStartNormals(vtkInformationVector** inputVector,
-  bool& needed)
-{
-  needed = true;
-  return this->GetInputArrayToProcess(0, inputVector);
-}
-
 void vtkNormalVertexUpdate::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

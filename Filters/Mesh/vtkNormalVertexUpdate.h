@@ -8,8 +8,8 @@
  * The second stage of two-stage denoising on its own. The normals are a cell array with three
  * components, by default "FilteredNormals", which all normal filters of this module write; choose
  * another one with SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name).
- * Lengths of the vectors do not matter, zero vectors are ignored. An array that is missing, has
- * another shape or is not finite is an error.
+ * Lengths of the vectors do not matter, zero vectors are ignored. An array that is missing, belongs
+ * to points, has another shape or is not finite is an error.
  *
  * The schemes and options are those of vtkNormalFittingFilter. Points move along the given normals;
  * in flat regions the triangles keep their shape.
@@ -32,7 +32,7 @@ protected:
   ~vtkNormalVertexUpdate() override;
 
   void Configure(SurfaceDenoising::MeshDenoisingSettings& settings) override;
-  vtkDataArray* FindStartNormals(vtkInformationVector** inputVector, bool& needed) override;
+  bool NeedsStartNormals() const override { return true; }
 
 private:
   vtkNormalVertexUpdate(const vtkNormalVertexUpdate&) = delete;

@@ -5,6 +5,7 @@
 
 #include "Automatic/CloudTuning.h"
 #include "Automatic/ProgressShare.h"
+#include "ChosenArray.h"
 #include "DenoisingReport.h"
 #include "PointAdapter.h"
 #include "Points/PointMethods.h"
@@ -14,7 +15,6 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
@@ -84,43 +84,31 @@ int vtkPointDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector**
     return 1;
   }
   bool good = false;
-  sd::RunOnThreads(this->NumberOfThreads, [&] { good = this->Process(inputVector, output); });
+  sd::RunOnThreads(this->NumberOfThreads, [&] { good = this->Process(input, output); });
   return good ? 1 : 0;
 }
 
 /// The array of normals, or null. Returns false after an error.
-bool vtkPointDenoisingFilter::FindNormals(vtkInformationVector** inputVector,
-  vtkDataArray*& normals)
+bool vtkPointDenoisingFilter::FindNormals(vtkPolyData* input, vtkDataArray*& normals)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkInformation* chosen = this->GetInputArrayInformation(0);
-  const std::string name =
-    chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : "";
-  // "None" is how ParaView says that nothing was chosen.
-  if (!name.empty() && name != "None")
+  const sd::ArrayChoice chosen =
+    sd::ChosenArray(this, input, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  normals = chosen.Made ? chosen.Array : sd::GivenNormals(input, !sd::HasPolygons(input));
+  if (chosen.Made && !normals)
   {
-    const bool ofPoints =
-      chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    normals = ofPoints ? input->GetPointData()->GetArray(name.c_str()) : nullptr;
-    if (!normals)
-    {
-      vtkErrorMacro(<< "The input has no point array " << name << " with the normals.");
-      return false;
-    }
-    return true;
+    vtkErrorMacro(<< "The input has no point array " << chosen.Name << " with the normals.");
+    return false;
   }
-  normals = sd::GivenNormals(input, !sd::HasPolygons(input));
   return true;
 }
 
-bool vtkPointDenoisingFilter::Process(vtkInformationVector** inputVector, vtkPolyData* output)
+bool vtkPointDenoisingFilter::Process(vtkPolyData* input, vtkPolyData* output)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   sd::SMPExecution execution(this);
   vtkDataArray* normals = nullptr;
   sd::PointView view;
   std::string error;
-  if (!this->FindNormals(inputVector, normals))
+  if (!this->FindNormals(input, normals))
   {
     return false;
   }

@@ -243,11 +243,11 @@ private:
   vtkPointDenoisingFilter(const vtkPointDenoisingFilter&) = delete;
   void operator=(const vtkPointDenoisingFilter&) = delete;
 
-  bool Process(vtkInformationVector** inputVector, vtkPolyData* output);
+  bool Process(vtkPolyData* input, vtkPolyData* output);
   bool MeetNoise(const SurfaceDenoising::PointView& view,
     SurfaceDenoising::PointDenoisingSettings& settings, SurfaceDenoising::DenoisingReport& figures,
     SurfaceDenoising::Execution& execution);
-  bool FindNormals(vtkInformationVector** inputVector, vtkDataArray*& normals);
+  bool FindNormals(vtkPolyData* input, vtkDataArray*& normals);
 
   const SurfaceDenoising::PointDenoisingSettings& Standard;
 };

@@ -52,6 +52,24 @@ vtkSmartPointer<vtkDoubleArray> Normals(vtkPolyData* surface, double length, dou
   return normals;
 }
 
+/// As many points as triangles, with normals of the triangles that are said to be of the points.
+vtkSmartPointer<vtkPolyData> WithPointArray(vtkPolyData* surface, vtkDataArray* normals)
+{
+  auto equal = Copy(surface);
+  equal->GetPointData()->Initialize();
+  while (equal->GetNumberOfPoints() < equal->GetNumberOfCells())
+  {
+    equal->GetPoints()->InsertNextPoint(0.0, 0.0, 0.0);
+  }
+  equal->GetPointData()->AddArray(normals);
+  return equal;
+}
+
+void StartFromPoints(vtkAlgorithm* filter, const char* name)
+{
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+}
+
 void StartFrom(vtkAlgorithm* filter, const char* name)
 {
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name);
@@ -120,6 +138,10 @@ void TestBadStartNormals(const MeshFilter& about, int& failures)
 
   surface->GetPointData()->AddArray(Normals(surface, 1.0, 0.0)); // of points
   CHECK(test.Refuses(surface, "no cell array"));
+
+  StartFromPoints(test.Filter, "Mine");
+  CHECK(test.Refuses(WithPointArray(surface, Normals(surface, 1.0, 0.0)), "no cell array Mine"));
+  StartFrom(test.Filter, "Mine");
 
   auto normals = Normals(surface, 1.0, 0.0);
   normals->SetNumberOfTuples(surface->GetNumberOfCells() - 1);
@@ -230,7 +252,11 @@ void TestVertexUpdate(int& failures)
   CHECK(bounds[1] - bounds[0] == 10.0);
 
   Run(flatten, Sphere(), seen);
-  CHECK(seen->Errors.find("no cell array") != std::string::npos);
+  CHECK(seen->Errors.find("no cell array Predicted") != std::string::npos);
+  StartFromPoints(flatten, "Mine");
+  Run(flatten, WithPointArray(Sphere(), Normals(Sphere(), 1.0, 0.0)), seen);
+  CHECK(seen->Errors.find("no cell array Mine") != std::string::npos);
+  StartFrom(flatten, "Predicted");
   up->SetComponent(3, 1, vtkMath::Nan());
   up->Modified();
   Run(flatten, grid, seen);
