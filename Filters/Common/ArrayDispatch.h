@@ -17,12 +17,13 @@
 namespace SurfaceDenoising
 {
 
-/// Runs worker(array, ...) on the fast type of an array if it has one, else on vtkDataArray.
-template <typename Worker, typename... Args>
+/// Runs worker(array, ...) on the fast type of an array with values of some types if it has one,
+/// else on vtkDataArray.
+template <typename Values = vtkArrayDispatch::Reals, typename Worker, typename... Args>
 void OnArray(vtkDataArray* array, Worker worker, Args&&... args)
 {
-  using DispatchReals = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
-  if (!DispatchReals::Execute(array, worker, args...))
+  using Dispatch = vtkArrayDispatch::DispatchByValueType<Values>;
+  if (!Dispatch::Execute(array, worker, args...))
   {
     worker(array, args...);
   }

@@ -3,6 +3,8 @@
 
 #include "SurfaceTriangulation.h"
 
+#include "ArrayDispatch.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkIdList.h"
@@ -10,8 +12,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 
 #include <atomic>
 
@@ -27,30 +27,32 @@ std::string BadPoint(vtkIdType cell, vtkIdType points)
     std::to_string(points) + " points.";
 }
 
-/// Copies the corners of triangles; false if one is no point.
-template <typename Id>
-bool CopyTriangles(const Id* ids, vtkIdType points, Buffer<Triangle>& triangles,
-  Execution& execution)
+/// Copies the corners of triangles; good becomes false if one is no point.
+struct CopyTriangles
 {
-  std::atomic<bool> good{ true };
-  execution.For(triangles.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t f = begin; f < end; ++f)
+  template <typename Array>
+  void operator()(Array* connectivity, vtkIdType points, Buffer<Triangle>& triangles,
+    std::atomic<bool>& good, Execution& execution) const
+  {
+    const auto ids = vtk::DataArrayValueRange<1>(connectivity);
+    execution.For(triangles.size(),
+      [&](std::size_t begin, std::size_t end)
       {
-        for (int corner = 0; corner < 3; ++corner)
+        for (std::size_t f = begin; f < end; ++f)
         {
-          const Id id = ids[3 * f + corner];
-          if (id < 0 || id >= points)
+          for (std::size_t corner = 0; corner < 3; ++corner)
           {
-            good = false;
+            const auto id = static_cast<vtkIdType>(ids[static_cast<vtkIdType>(3 * f + corner)]);
+            if (id < 0 || id >= points)
+            {
+              good = false;
+            }
+            triangles[f][corner] = static_cast<Index>(id);
           }
-          triangles[f][corner] = static_cast<Index>(id);
         }
-      }
-    });
-  return good;
-}
+      });
+  }
+};
 
 /// Cuts polygons one by one.
 class PolygonCutter
@@ -152,11 +154,10 @@ bool ReadTriangles(vtkPolyData* surface, MeshView& view, std::string& error, Exe
   if (surface->GetNumberOfStrips() == 0 && polygons->IsHomogeneous() == 3)
   {
     triangles.resize(static_cast<std::size_t>(polygons->GetNumberOfCells()));
-    const bool good = polygons->IsStorage64Bit()
-      ? CopyTriangles(polygons->GetConnectivityArray64()->GetPointer(0), points, triangles,
-          execution)
-      : CopyTriangles(polygons->GetConnectivityArray32()->GetPointer(0), points, triangles,
-          execution);
+    std::atomic<bool> good{ true };
+    // In VTK later than 9.1, ids may be in an array of any type.
+    OnArray<vtkArrayDispatch::Integrals>(polygons->GetConnectivityArray(), CopyTriangles{}, points,
+      triangles, good, execution);
     // The slow way names the cell.
     return good ||
       ForCells(polygons, view.FirstCell, points, error, [](vtkIdType, vtkIdType, auto) {});
