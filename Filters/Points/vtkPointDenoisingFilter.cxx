@@ -76,8 +76,7 @@ int vtkPointDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector**
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->Open->Clear();
-  this->TakeReport(sd::PointDenoisingReport());
+  this->ForgetReport();
   if (input->GetNumberOfPoints() == 0)
   {
     output->ShallowCopy(input);
@@ -204,6 +203,12 @@ bool vtkPointDenoisingFilter::Denoise(sd::PointView& view,
   sd::Execution& execution)
 {
   return sd::DenoisePoints(view.Cloud, settings, report, execution);
+}
+
+void vtkPointDenoisingFilter::ForgetReport()
+{
+  this->Open->Clear();
+  this->TakeReport(sd::PointDenoisingReport());
 }
 
 void vtkPointDenoisingFilter::TakeReport(const sd::PointDenoisingReport& report)

@@ -199,6 +199,9 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// Figures of the last execution become those of points nobody has looked at.
+  void ForgetReport();
+
   /// Subclasses complete the settings, which are the defaults with the members of the bases.
   virtual void Configure(SurfaceDenoising::PointDenoisingSettings& settings);
 

@@ -12,6 +12,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sd = SurfaceDenoising;
@@ -43,6 +44,7 @@ int vtkVotingTensorPointFilter::RequestData(vtkInformation* request,
   if (this->AsReleased &&
     (!(this->AngleThreshold > 0.0) || this->NumberOfOuterIterations == 0 || this->StopAtNoise))
   {
+    this->ForgetReport();
     vtkErrorMacro(<< "The released program takes nothing from the data: AngleThreshold and "
                      "NumberOfOuterIterations must not be 0, and StopAtNoise must be off.");
     return 0;
@@ -67,6 +69,12 @@ void vtkVotingTensorPointFilter::Configure(sd::PointDenoisingSettings& settings)
   this->Open->Take("SpatialScale", this->SpatialScale, operation.FlatSpatialScale, 1.0, 0.1);
   operation.EigenvalueCut = this->EigenvalueCut;
   operation.Unoriented = this->UnorientedNormals;
+  if (this->AsReleased)
+  {
+    // What has no counterpart in the program is neither looked for nor missed.
+    this->Open->Clear();
+    settings.Normals.Source = sd::NormalSource::Automatic;
+  }
 }
 
 /// The released program works in the coordinates of the model and in the order of its points.
@@ -106,6 +114,8 @@ bool vtkVotingTensorPointFilter::Denoise(sd::PointView& view,
       }
     }
   }
+  const sd::Buffer<sd::Vec3> start = positions;
+  report.EstimatedNormals = normals.empty() ? finite.size() : 0;
   sd::ReleasedVotingTensorReport done;
   if (!sd::DenoiseAsReleased(positions, normals, released, done, execution))
   {
@@ -117,13 +127,20 @@ bool vtkVotingTensorPointFilter::Denoise(sd::PointView& view,
   for (std::size_t k = 0; k < finite.size(); ++k)
   {
     const std::size_t i = finite[k];
-    cloud.Positions[i] = positions[k] - view.Centre;
+    const bool moved = positions[k] != start[k];
+    if (moved) // else it keeps its bits
+    {
+      cloud.Positions[i] = positions[k] - view.Centre;
+    }
     cloud.Normals[i] = normals[k];
-    cloud.Status[i] = sd::PointStatus::Filtered;
+    cloud.Status[i] =
+      moved || released.Iterations == 0 ? sd::PointStatus::Filtered : sd::PointStatus::Kept;
     cloud.Classes[i] = done.Classes[k];
   }
   report.Spacing = done.Spacing;
-  report.Kept = done.Rejected;
+  report.OuterIterations = released.Iterations;
+  report.Kept = static_cast<std::size_t>(
+    std::count(cloud.Status.begin(), cloud.Status.end(), sd::PointStatus::Kept));
   report.NotFinite = cloud.Positions.size() - finite.size();
   return true;
 }

@@ -30,7 +30,8 @@
  * distance of the 12 nearest points (0: 2 of them, as the program). The numbers of the program,
  * which are not the defaults here, are 50 iterations, an AngleThreshold of acos(0.9), that
  * is 25.841932763 degrees, an EigenvalueThreshold of 0.25, Damping 3, Step 0.1 and
- * MaximumDisplacement 0. Points that are not finite are left out.
+ * MaximumDisplacement 0. Points that are not finite are left out. KEPT in "Status" are those that
+ * no iteration moved.
  */
 
 #ifndef vtkVotingTensorPointFilter_h
