@@ -72,7 +72,12 @@ vtkMeshDenoisingFilter::Outcome vtkFaceNormalFilter::Denoise(sd::SurfaceWork& wo
     this->Residual = sd::IsNoisy(noise) ? vtkMath::RadiansFromDegrees(noise.NormalAngle) : -1.0;
     work.Report.Add("Noise Of Normals", noise.NormalAngle);
   }
-  return this->Superclass::Denoise(work);
+  const Outcome outcome = this->Superclass::Denoise(work);
+  if (outcome == FINISHED && this->Residual < 0.0 && !this->Open->Any()) // else that was said
+  {
+    vtkWarningMacro(<< "The surface has no noise to stop at; it passes through unchanged.");
+  }
+  return outcome;
 }
 
 void vtkFaceNormalFilter::Configure(sd::MeshDenoisingSettings& settings)

@@ -81,8 +81,8 @@ public:
   /**
    * End the iterations of both stages as soon as the normals are as far from those of the input as
    * the noise that the surface has turned them (root mean square angle, told from medians): the
-   * numbers of iterations are then the most there may be. A surface without noise passes through.
-   * Default off.
+   * numbers of iterations are then the most there may be. A surface without noise passes through
+   * with a warning. Default off.
    */
   vtkSetMacro(StopAtNoise, bool);
   vtkGetMacro(StopAtNoise, bool);

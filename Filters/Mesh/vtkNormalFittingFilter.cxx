@@ -83,7 +83,7 @@ vtkMeshDenoisingFilter::Outcome vtkNormalFittingFilter::Denoise(sd::SurfaceWork&
   {
     return STOPPED;
   }
-  if (report.NoNoiseFound && noisy)
+  if (report.NoNoiseFound && settings.OuterIterations > 0)
   {
     vtkWarningMacro(<< "The normals of the surface have no noise to take a scale from; the surface "
                        "passes through unchanged. Set the scale to filter it all the same.");

@@ -130,6 +130,7 @@ double vtkRobustNormalFilter::RangeUnit() const
 int vtkRobustNormalFilter::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->ForgetReport();
   if (this->Preset == CUSTOM && this->ScaleSource == GIVEN && !(this->RangeScale >= 0.0))
   {
     vtkErrorMacro(<< "The range scale must not be negative; it is " << this->RangeScale << ".");

@@ -147,6 +147,25 @@ void TestNoIterations(const MeshFilter& about, int& failures)
   }
 }
 
+/// Who asks to stop at the noise of a surface that has none is told.
+void TestStopWithoutNoise(const MeshFilter& about, int& failures)
+{
+  FilterTester test(about);
+  auto* normals = vtkFaceNormalFilter::SafeDownCast(test.Filter);
+  if (!normals || about.Is(AS_RELEASED))
+  {
+    return;
+  }
+  auto flat = Roof(16, 0.0);
+  normals->StopAtNoiseOn();
+  CHECK(PointDistance(flat, test.Denoise(flat)) == 0.0 && test.Seen->Errors.empty());
+  CHECK(test.Seen->Warnings.find("no noise to stop at") != std::string::npos);
+  const std::size_t first = test.Seen->Warnings.find("Warning:");
+  CHECK(test.Seen->Warnings.find("Warning:", first + 1) == std::string::npos);
+  auto noisy = NoisySphere(24);
+  CHECK(PointDistance(noisy, test.Denoise(noisy)) > 1e-4 && test.Seen->Warnings.empty());
+}
+
 /// Aborts an algorithm at a given progress and counts what comes after.
 class Aborter : public vtkCommand
 {
@@ -225,6 +244,7 @@ int TestMeshPipeline(int, char*[])
   TestAllMeshFilters(TestWhatIsAdded, failures);
   TestAllMeshFilters(TestNoiseGetsLess, failures);
   TestAllMeshFilters(TestNoIterations, failures);
+  TestAllMeshFilters(TestStopWithoutNoise, failures);
   TestAllMeshFilters(TestProgressAndAbort, failures);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

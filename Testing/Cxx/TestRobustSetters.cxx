@@ -163,9 +163,15 @@ void TestBadSettings(int& failures)
   auto surface = Roof(16);
   for (const double scale : { -1.0, vtkMath::Nan() })
   {
+    filter->SetRangeScale(0.0);
+    Run(filter, surface, seen);
+    CHECK(filter->GetMeanEdgeLength() > 0.0 && filter->GetChosenValue("RangeScale") > 0.0);
     filter->SetRangeScale(scale);
     Run(filter, surface, seen);
     CHECK(seen->Errors.find("must not be negative") != std::string::npos);
+    // What was found before is not said of this.
+    CHECK(filter->GetMeanEdgeLength() == 0.0 && filter->GetMeanCentroidDistance() == 0.0);
+    CHECK(std::isnan(filter->GetChosenValue("RangeScale")));
   }
 
   // Without noise there is no scale to take from it.
