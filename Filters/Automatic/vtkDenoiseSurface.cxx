@@ -59,6 +59,16 @@ void AddDisplacements(const sd::Buffer<sd::Vec3>& before, const sd::Buffer<sd::V
   output->GetPointData()->AddArray(array);
 }
 
+void PassThrough(vtkPolyData* input, bool cloud, vtkPolyData* output)
+{
+  sd::AddedArrays added{ { "Displacement" }, {}, { "DenoisingReport", "DenoisingChoice" } };
+  if (cloud)
+  {
+    added.OfPoints.insert(added.OfPoints.end(), { "Status", "FeatureClass" });
+  }
+  sd::PassUnchanged(input, added, output);
+}
+
 std::string NamesOf(const std::vector<sd::Method>& methods)
 {
   std::string names;
@@ -80,7 +90,7 @@ int vtkDenoiseSurface::RequestData(vtkInformation*, vtkInformationVector** input
   this->ForgetReport();
   if (input->GetNumberOfPoints() == 0)
   {
-    output->ShallowCopy(input);
+    PassThrough(input, false, output);
     return 1;
   }
   const bool cloud = this->PointsOnly || !sd::HasPolygons(input);
@@ -106,7 +116,7 @@ bool vtkDenoiseSurface::DenoiseMesh(vtkPolyData* input, vtkPolyData* output)
   sd::AutomaticReport found;
   if (!sd::DenoiseAutomatically(view.Mesh, settings, found, execution))
   {
-    output->ShallowCopy(input); // nobody wants half a result
+    PassThrough(input, false, output); // nobody wants half a result
     return true;
   }
   const auto points = sd::MovedPoints(input, view.Centre, view.Mesh.Positions, execution);
@@ -159,7 +169,7 @@ bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
   sd::AutomaticCloudReport found;
   if (!sd::DenoiseAutomatically(view.Cloud, settings, found, execution))
   {
-    output->ShallowCopy(input);
+    PassThrough(input, true, output);
     return true;
   }
   if (view.Cloud.Status.size() != before.size())
@@ -169,11 +179,15 @@ bool vtkDenoiseSurface::DenoiseCloud(vtkPolyData* input, vtkPolyData* output)
     normalsOnly.OuterIterations = 0;
     if (!sd::DenoisePoints(view.Cloud, normalsOnly, found.Denoising, execution))
     {
-      output->ShallowCopy(input);
+      PassThrough(input, true, output);
       return true;
     }
   }
   sd::PassPoints(input, view, output, execution);
+  if (view.Cloud.Classes.empty())
+  {
+    output->GetPointData()->RemoveArray("FeatureClass"); // of a filter before
+  }
 
   this->NoiseLevel = found.Noise.Level();
   this->NumberOfOutliers = static_cast<vtkIdType>(found.Noise.Far + found.Noise.Off);

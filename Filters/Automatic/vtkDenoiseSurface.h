@@ -18,7 +18,8 @@
  * cloud are replaced. The output has besides
  *
  * - the point array "Displacement", a vector: where each point went;
- * - for clouds, the point arrays "Normals" and "Status" (see vtkPointDenoisingFilter);
+ * - for clouds, the point arrays "Normals" and "Status", and "FeatureClass" if the method tells
+ *   (see vtkPointDenoisingFilter);
  * - the field array "DenoisingReport", one tuple with named components: the noise that was found,
  *   and what was removed (mean, RMS and largest displacement; change of volume; feature edges
  *   before and after, flipped faces);
@@ -28,7 +29,9 @@
  * spacings for clouds.
  *
  * Results are the same on any number of threads. A mesh with a coordinate that is not finite is an
- * error; such points of a cloud stay as they are. An empty input passes through.
+ * error; such points of a cloud stay as they are. An empty input passes through; so does all of it
+ * if the user stops the filter. It is then without arrays with the names of those above but
+ * "Normals", which a filter before has added.
  *
  * How the choice is made for meshes: B. Efron, R. Tibshirani, "An Introduction to the Bootstrap",
  * 1993; C. Gourieroux, A. Monfort, E. Renault, "Indirect inference", Journal of Applied

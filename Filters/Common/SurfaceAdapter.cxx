@@ -8,6 +8,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -238,6 +239,21 @@ bool ReadCellVectors(vtkDataArray* array, vtkPolyData* surface, const MeshView& 
     }
   }
   return true;
+}
+
+void PassUnchanged(vtkPolyData* input, const AddedArrays& added, vtkPolyData* output)
+{
+  output->ShallowCopy(input);
+  auto remove = [](vtkFieldData* data, const std::vector<const char*>& names)
+  {
+    for (const char* name : names)
+    {
+      data->RemoveArray(name);
+    }
+  };
+  remove(output->GetPointData(), added.OfPoints);
+  remove(output->GetCellData(), added.OfCells);
+  remove(output->GetFieldData(), added.OfAll);
 }
 
 void PassSurface(vtkPolyData* input, vtkPoints* points, vtkPolyData* output)

@@ -15,6 +15,7 @@
 #include "vtkType.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkPoints;
@@ -74,6 +75,18 @@ vtkSmartPointer<vtkDataArray> CellVectors(vtkPolyData* surface, const MeshView& 
  */
 bool ReadCellVectors(vtkDataArray* array, vtkPolyData* surface, const MeshView& view,
   Buffer<Vec3>& faceVectors, std::string& error);
+
+/// The names of arrays that a filter adds.
+struct AddedArrays
+{
+  std::vector<const char*> OfPoints;
+  std::vector<const char*> OfCells;
+  std::vector<const char*> OfAll; ///< field data
+};
+
+/// Passes the input on as it is where the filter adds nothing. Arrays of these names, which a
+/// filter before has added, stay behind: they would be taken for this one's.
+void PassUnchanged(vtkPolyData* input, const AddedArrays& added, vtkPolyData* output);
 
 /**
  * Passes everything of the input on with new points. Active normals described the old points: they

@@ -31,7 +31,7 @@ int vtkMeshDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector** 
   this->ForgetReport();
   if (input->GetNumberOfPoints() == 0)
   {
-    output->ShallowCopy(input);
+    this->PassThrough(input, output);
     return 1;
   }
   bool good = false;
@@ -52,7 +52,7 @@ bool vtkMeshDenoisingFilter::Process(vtkPolyData* input, vtkPolyData* output)
   if (work.View.Mesh.NumberOfFaces() == 0)
   {
     vtkWarningMacro(<< "The input has no polygons; it passes through unchanged.");
-    output->ShallowCopy(input);
+    this->PassThrough(input, output);
     return true;
   }
   switch (this->Denoise(work))
@@ -61,7 +61,7 @@ bool vtkMeshDenoisingFilter::Process(vtkPolyData* input, vtkPolyData* output)
       return false;
     case STOPPED:
       // Nobody wants half a result.
-      output->ShallowCopy(input);
+      this->PassThrough(input, output);
       return true;
     case FINISHED:
       break;
@@ -76,6 +76,16 @@ bool vtkMeshDenoisingFilter::Process(vtkPolyData* input, vtkPolyData* output)
   }
   work.Report.WriteTo(output);
   return true;
+}
+
+void vtkMeshDenoisingFilter::PassThrough(vtkPolyData* input, vtkPolyData* output) const
+{
+  sd::AddedArrays added{ {}, {}, { "DenoisingReport" } };
+  if (this->FiltersNormals())
+  {
+    added.OfCells.push_back("FilteredNormals");
+  }
+  sd::PassUnchanged(input, added, output);
 }
 
 double vtkMeshDenoisingFilter::GetChosenValue(const char* property) const

@@ -12,7 +12,9 @@
  * into triangles for the work, and the output has the original cells with their points moved. The
  * input's point, cell and field data pass through, and vertices and lines stay. Active normals stay
  * as arrays but are no longer active, because they describe the surface before the points moved.
- * What was found and done is the field array "DenoisingReport": one tuple with named components.
+ * What was found and done is the field array "DenoisingReport": one tuple with named components. If
+ * nothing was done, because there are no polygons or the user stopped it, the input passes through
+ * without such an array of a filter before.
  *
  * Inputs that are not perfect: faces that run against their neighbours are treated as if they did
  * not; boundary points stored several times at the same place (seams of texture charts, STL files)
@@ -103,6 +105,9 @@ protected:
   /// Subclasses move the vertices of work.View.Mesh and report. Not called without polygons.
   virtual Outcome Denoise(SurfaceDenoising::SurfaceWork& work) = 0;
 
+  /// True if the output has the array "FilteredNormals".
+  virtual bool FiltersNormals() const { return false; }
+
   /// Figures of the last execution become those of a surface nobody has looked at.
   virtual void ForgetReport();
 
@@ -132,6 +137,7 @@ private:
   void operator=(const vtkMeshDenoisingFilter&) = delete;
 
   bool Process(vtkPolyData* input, vtkPolyData* output);
+  void PassThrough(vtkPolyData* input, vtkPolyData* output) const;
 };
 
 #endif

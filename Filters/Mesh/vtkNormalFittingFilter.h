@@ -129,6 +129,7 @@ protected:
   ~vtkNormalFittingFilter() override;
 
   Outcome Denoise(SurfaceDenoising::SurfaceWork& work) override;
+  bool FiltersNormals() const override { return true; }
   void ForgetReport() override;
 
   /// Subclasses complete the settings of the normal stage.

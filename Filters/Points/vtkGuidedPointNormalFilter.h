@@ -140,6 +140,7 @@ protected:
   ~vtkGuidedPointNormalFilter() override;
 
   void Configure(SurfaceDenoising::PointDenoisingSettings& settings) override;
+  bool TellsClasses() const override { return true; }
 
   double RangeScale;
   double SpatialScale;

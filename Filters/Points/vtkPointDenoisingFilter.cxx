@@ -15,6 +15,7 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
@@ -79,7 +80,7 @@ int vtkPointDenoisingFilter::RequestData(vtkInformation*, vtkInformationVector**
   this->ForgetReport();
   if (input->GetNumberOfPoints() == 0)
   {
-    output->ShallowCopy(input);
+    this->PassThrough(input, output);
     return 1;
   }
   bool good = false;
@@ -144,7 +145,7 @@ bool vtkPointDenoisingFilter::Process(vtkPolyData* input, vtkPolyData* output)
   if (!finished)
   {
     // Nobody wants half a result.
-    output->ShallowCopy(input);
+    this->PassThrough(input, output);
     return true;
   }
   if (report.NoNoiseFound && settings.OuterIterations > 0)
@@ -153,6 +154,10 @@ bool vtkPointDenoisingFilter::Process(vtkPolyData* input, vtkPolyData* output)
                        "scale to filter them all the same.");
   }
   sd::PassPoints(input, view, output, execution);
+  if (view.Cloud.Classes.empty() && this->TellsClasses())
+  {
+    output->GetPointData()->RemoveArray("FeatureClass"); // of a filter before
+  }
   figures.Add("Mean Spacing", report.Spacing);
   figures.Add("Outer Iterations", report.OuterIterations);
   figures.Add("Kept Points", report.Kept);
@@ -164,6 +169,16 @@ bool vtkPointDenoisingFilter::Process(vtkPolyData* input, vtkPolyData* output)
   figures.Add("Seconds Of Filtering", report.FilterSeconds);
   figures.WriteTo(output);
   return true;
+}
+
+void vtkPointDenoisingFilter::PassThrough(vtkPolyData* input, vtkPolyData* output) const
+{
+  sd::AddedArrays added{ { "Displacement", "Status" }, {}, { "DenoisingReport" } };
+  if (this->TellsClasses())
+  {
+    added.OfPoints.push_back("FeatureClass");
+  }
+  sd::PassUnchanged(input, added, output);
 }
 
 /// What the settings get from the noise of the points. Returns false if the execution asked to

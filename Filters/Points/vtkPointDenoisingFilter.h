@@ -28,7 +28,8 @@
  * Inputs that are not perfect: points with a NaN or infinite coordinate stay as they are and are
  * nobody's neighbours. Points stored twice are two points. A point with fewer than three
  * neighbours, or with neighbours at one place or on a line, stays where it is. All these are marked
- * in "Status". An empty input passes through.
+ * in "Status". An empty input passes through; so does all of it if the user stops the filter. It is
+ * then without arrays with the names of those above but "Normals", which a filter before has added.
  *
  * Where a property says "0: from the data", the value is chosen in each execution: the one that
  * promises the smallest distance from the surface, by Stein's unbiased risk estimate, for the noise
@@ -209,6 +210,9 @@ protected:
   /// copies a method.
   virtual void TakeSettings(const SurfaceDenoising::PointDenoisingSettings& settings);
 
+  /// True if the output has the array "FeatureClass" once points were filtered.
+  virtual bool TellsClasses() const { return false; }
+
   /// Runs the method on the points. Returns false if the execution asked to stop.
   virtual bool Denoise(SurfaceDenoising::PointView& view,
     const SurfaceDenoising::PointDenoisingSettings& settings,
@@ -247,6 +251,7 @@ private:
   void operator=(const vtkPointDenoisingFilter&) = delete;
 
   bool Process(vtkPolyData* input, vtkPolyData* output);
+  void PassThrough(vtkPolyData* input, vtkPolyData* output) const;
   bool MeetNoise(const SurfaceDenoising::PointView& view,
     SurfaceDenoising::PointDenoisingSettings& settings, SurfaceDenoising::DenoisingReport& figures,
     SurfaceDenoising::Execution& execution);

@@ -77,6 +77,7 @@ protected:
   ~vtkTensorPointFilter() override;
 
   void Configure(SurfaceDenoising::PointDenoisingSettings& settings) override;
+  bool TellsClasses() const override { return true; }
 
   double Range;
   double BendFactor;

@@ -138,6 +138,7 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Configure(SurfaceDenoising::PointDenoisingSettings& settings) override;
+  bool TellsClasses() const override { return true; }
   bool Denoise(SurfaceDenoising::PointView& view,
     const SurfaceDenoising::PointDenoisingSettings& settings,
     SurfaceDenoising::PointDenoisingReport& report,

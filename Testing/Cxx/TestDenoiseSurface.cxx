@@ -247,11 +247,19 @@ void TestAbort(int& failures)
         });
       filter->AddObserver(vtkCommand::ProgressEvent, stop);
       vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(600, 0.03) : NoisyBox(10, 0.2);
-      filter->SetInputData(input);
+      vtkNew<vtkDenoiseSurface> before;
+      before->SetInputData(input);
+      before->SetStrength(0.0);
+      before->Update();
+      CHECK(before->GetOutput()->GetFieldData()->GetNumberOfArrays() == 2);
+      filter->SetInputData(before->GetOutput());
       filter->Update();
+      // What the filter before has told is not taken for what this one tells.
+      input->GetPointData()->SetNormals(before->GetOutput()->GetPointData()->GetNormals());
       // The executive of VTK may empty the output.
       vtkPolyData* output = filter->GetOutput();
-      CHECK(output->GetNumberOfPoints() == 0 || PointDistance(output, input) == 0.0);
+      CHECK(output->GetNumberOfPoints() == 0 ||
+        (PointDistance(output, input) == 0.0 && SameData(output, input)));
     }
   }
 }

@@ -5,6 +5,7 @@
 // progress and abort work.
 
 #include "FilterTester.h"
+#include "PointClouds.h"
 
 #include "vtkFaceNormalFilter.h"
 #include "vtkFieldData.h"
@@ -18,6 +19,7 @@ namespace
 {
 
 using namespace MeshTest;
+using PointTest::SameArrays;
 
 vtkSmartPointer<vtkIntArray> Numbers(const char* name, vtkIdType count)
 {
@@ -199,6 +201,41 @@ public:
   int EventsAfterAbort = 0;
 };
 
+/// Where a filter adds nothing, what the same filter before it added is not taken for its own; all
+/// else stays.
+void TestNothingAdded(const MeshFilter& about, int& failures)
+{
+  FilterTester test(about);
+  auto surface = Copy(test.Denoise(SphereWithData()));
+  surface->GetCellData()->AddArray(Numbers("Other", surface->GetNumberOfCells()));
+  auto isBare = [&](vtkPolyData* output)
+  {
+    const int normals = about.IsTwoStage() ? 1 : 0;
+    return output->GetFieldData()->GetAbstractArray("Origin") != nullptr &&
+      output->GetFieldData()->GetAbstractArray("DenoisingReport") == nullptr &&
+      output->GetCellData()->GetArray("Other") != nullptr &&
+      output->GetCellData()->GetNumberOfArrays() ==
+      surface->GetCellData()->GetNumberOfArrays() - normals &&
+      SameArrays(output->GetPointData(), surface->GetPointData());
+  };
+  vtkNew<Aborter> aborter;
+  aborter->AbortAt = 0.02;
+  test.Filter->AddObserver(vtkCommand::ProgressEvent, aborter);
+  test.Filter->Modified();
+  vtkPolyData* output = test.Denoise(surface);
+  CHECK(output->GetNumberOfPoints() == 0 || isBare(output));
+  test.Filter->RemoveObservers(vtkCommand::ProgressEvent);
+  test.Filter->SetAbortExecute(0);
+
+  surface->SetPolys(nullptr);
+  CHECK(isBare(test.Denoise(surface)));
+  CHECK(surface->GetFieldData()->GetAbstractArray("DenoisingReport") != nullptr);
+  vtkNew<vtkPolyData> empty;
+  empty->SetFieldData(surface->GetFieldData());
+  output = test.Denoise(empty);
+  CHECK(output->GetFieldData()->GetNumberOfArrays() == 1);
+}
+
 void TestProgressAndAbort(const MeshFilter& about, int& failures)
 {
   auto surface = NoisySphere(24);
@@ -245,6 +282,7 @@ int TestMeshPipeline(int, char*[])
   TestAllMeshFilters(TestNoiseGetsLess, failures);
   TestAllMeshFilters(TestNoIterations, failures);
   TestAllMeshFilters(TestStopWithoutNoise, failures);
+  TestAllMeshFilters(TestNothingAdded, failures);
   TestAllMeshFilters(TestProgressAndAbort, failures);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

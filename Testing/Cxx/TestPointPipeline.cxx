@@ -238,6 +238,41 @@ public:
   int EventsAfterAbort = 0;
 };
 
+/// Where a filter adds nothing, what the same filter before it added is not taken for its own; all
+/// else stays.
+void TestNothingAdded(const PointFilter& about, int& failures)
+{
+  PointFilterTester test(about);
+  auto cloud = Copy(test.Denoise(CloudWithData()));
+  if (!about.Is(TELLS_CLASSES))
+  {
+    cloud->GetPointData()->AddArray(Numbers("FeatureClass", cloud->GetNumberOfPoints()));
+  }
+  vtkNew<Aborter> aborter;
+  aborter->AbortAt = 0.02;
+  test.Filter->AddObserver(vtkCommand::ProgressEvent, aborter);
+  test.Filter->Modified();
+  vtkPolyData* output = test.Denoise(cloud);
+  vtkPointData* data = output->GetPointData();
+  CHECK(output->GetNumberOfPoints() == 0 ||
+    (data->GetArray("PointNumber") && data->GetArray("Normals") && !data->GetArray("Status") &&
+      !data->GetArray("Displacement") &&
+      (data->GetArray("FeatureClass") == nullptr) == about.Is(TELLS_CLASSES) &&
+      output->GetFieldData()->GetNumberOfArrays() == 1));
+  test.Filter->RemoveObservers(vtkCommand::ProgressEvent);
+  test.Filter->SetAbortExecute(0);
+
+  // Without an iteration there are no classes.
+  test.Filter->SetNumberOfOuterIterations(-1);
+  cloud->GetPointData()->AddArray(Numbers("FeatureClass", cloud->GetNumberOfPoints()));
+  vtkDataArray* classes = test.Denoise(cloud)->GetPointData()->GetArray("FeatureClass");
+  CHECK((classes == cloud->GetPointData()->GetArray("FeatureClass")) == !about.Is(TELLS_CLASSES));
+
+  vtkNew<vtkPolyData> empty;
+  empty->SetFieldData(cloud->GetFieldData());
+  CHECK(test.Denoise(empty)->GetFieldData()->GetNumberOfArrays() == 1);
+}
+
 void TestProgressAndAbort(const PointFilter& about, int& failures)
 {
   auto cloud = CloudWithData();
@@ -282,6 +317,7 @@ int TestPointPipeline(int, char*[])
   TestAllPointFilters(TestNoiseGetsLess, failures);
   TestAllPointFilters(TestNoIterations, failures);
   TestAllPointFilters(TestExecutions, failures);
+  TestAllPointFilters(TestNothingAdded, failures);
   TestAllPointFilters(TestProgressAndAbort, failures);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
