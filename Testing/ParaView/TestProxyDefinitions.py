@@ -16,6 +16,9 @@ BASES = {"vtkMeshDenoisingFilter", "vtkFaceNormalFilter", "vtkNormalFittingFilte
          "vtkOneStageFilter", "vtkPointDenoisingFilter", "vtkPointNeighborhoodFilter",
          "vtkPointFittingFilter"}
 
+# Numbers that are the same for all objects.
+STATIC = {"GetNumberOfNorms", "GetNumberOfPresets"}
+
 
 def expect(condition, *message):
     if not condition:
@@ -52,6 +55,20 @@ def settings(vtk_object):
     """Names X of all pairs SetX, GetX that the classes of the project add."""
     added = set(dir(vtk_object)) - set(dir(vtkPolyDataAlgorithm))
     return {name[3:] for name in added if name.startswith("Set") and "G" + name[1:] in added}
+
+
+def figures(vtk_object):
+    """Names X of the GetX that tell a number or a text of the last execution."""
+    for name in set(dir(vtk_object)) - set(dir(vtkPolyDataAlgorithm)):
+        known = name[3:] in settings(vtk_object) or name.endswith(("MinValue", "MaxValue"))
+        if not name.startswith("Get") or known or name in STATIC:
+            continue
+        try:
+            value = getattr(vtk_object, name)()
+        except TypeError:
+            continue  # asks for something in particular
+        if isinstance(value, (int, float, str)):
+            yield name[3:]
 
 
 def enumerators(cls):
@@ -165,6 +182,8 @@ for filter_name, filter_object in concrete_filters():
         check_property(filter_name + "." + property_name, property_name, sm_property, filter_object)
     missing = settings(filter_object) - set(found)
     expect(not missing, filter_name, "settings that the XML lacks", sorted(missing))
+    unsaid = set(figures(filter_object)) - set(found)
+    expect(not unsaid, filter_name, "figures that the XML lacks", sorted(unsaid))
     checked += 1
     for base_class in bases(type(filter_object)):
         base_proxy = manager.GetPrototypeProxy(
