@@ -7,6 +7,7 @@
 #include "OFFColors.h"
 #include "OFFKeyword.h"
 #include "OFFTextScanner.h"
+#include "SMPExecution.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -58,8 +59,18 @@ Counts ReadCounts(Scanner& scanner, const OFFKeyword& keyword)
   return { vertices, faces };
 }
 
+/// Every so many vertices or faces, says how far it is and asks whether to go on.
 template <typename Scanner>
-void ReadVertices(Scanner& scanner, const OFFKeyword& keyword, vtkIdType count, vtkPolyData* output)
+bool Proceed(const Scanner& scanner, vtkIdType number, std::size_t bytes, Execution& execution)
+{
+  return number % 16384 != 0 ||
+    execution.Proceed(1.0 - static_cast<double>(scanner.RemainingBytes()) / bytes);
+}
+
+/// False if it was stopped, as the functions that follow.
+template <typename Scanner>
+bool ReadVertices(Scanner& scanner, const OFFKeyword& keyword, vtkIdType count, std::size_t bytes,
+  vtkPolyData* output, Execution& execution)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -79,6 +90,10 @@ void ReadVertices(Scanner& scanner, const OFFKeyword& keyword, vtkIdType count, 
   auto* const coordinates = vtkDoubleArray::SafeDownCast(points->GetData());
   for (vtkIdType i = 0; i < count; ++i)
   {
+    if (!Proceed(scanner, i, bytes, execution))
+    {
+      return false;
+    }
     readTuple(coordinates->GetPointer(3 * i), 3, "a coordinate");
     if (keyword.Normals)
     {
@@ -107,10 +122,12 @@ void ReadVertices(Scanner& scanner, const OFFKeyword& keyword, vtkIdType count, 
   {
     output->GetPointData()->SetScalars(array);
   }
+  return true;
 }
 
 template <typename Scanner>
-void ReadFaces(Scanner& scanner, const Counts& counts, vtkPolyData* output)
+bool ReadFaces(Scanner& scanner, const Counts& counts, std::size_t bytes, vtkPolyData* output,
+  Execution& execution)
 {
   // A polydata numbers its vertices before its lines and these before its polygons.
   struct Kind
@@ -124,6 +141,10 @@ void ReadFaces(Scanner& scanner, const Counts& counts, vtkPolyData* output)
   std::vector<vtkIdType> corners;
   for (vtkIdType face = 0; face < counts.Faces; ++face)
   {
+    if (!Proceed(scanner, face, bytes, execution))
+    {
+      return false;
+    }
     const vtkIdType size = scanner.ReadInteger("the number of corners of a face");
     if (size < 1 || static_cast<std::size_t>(size) > scanner.RemainingBytes())
     {
@@ -165,14 +186,17 @@ void ReadFaces(Scanner& scanner, const Counts& counts, vtkPolyData* output)
   {
     output->GetCellData()->SetScalars(array);
   }
+  return true;
 }
 
 template <typename Scanner>
-void ReadSurface(Scanner scanner, const OFFKeyword& keyword, vtkPolyData* output)
+bool ReadSurface(Scanner scanner, const OFFKeyword& keyword, vtkPolyData* output,
+  Execution& execution)
 {
+  const std::size_t bytes = scanner.RemainingBytes();
   const Counts counts = ReadCounts(scanner, keyword);
-  ReadVertices(scanner, keyword, counts.Vertices, output);
-  ReadFaces(scanner, counts, output);
+  return ReadVertices(scanner, keyword, counts.Vertices, bytes, output, execution) &&
+    ReadFaces(scanner, counts, bytes, output, execution);
 }
 }
 
@@ -210,15 +234,14 @@ int vtkOFFReader::RequestData(vtkInformation*, vtkInformationVector**,
     const std::string text = LoadFile(this->FileName);
     const OFFKeyword keyword = ReadOFFKeyword(text);
     vtkNew<vtkPolyData> surface;
-    if (keyword.Binary)
+    SMPExecution execution(this);
+    const bool finished = keyword.Binary
+      ? ReadSurface(OFFBinaryScanner(text, keyword.Length), keyword, surface, execution)
+      : ReadSurface(OFFTextScanner(text, keyword.Length), keyword, surface, execution);
+    if (finished)
     {
-      ReadSurface(OFFBinaryScanner(text, keyword.Length), keyword, surface);
+      vtkPolyData::GetData(outputVector)->ShallowCopy(surface);
     }
-    else
-    {
-      ReadSurface(OFFTextScanner(text, keyword.Length), keyword, surface);
-    }
-    vtkPolyData::GetData(outputVector)->ShallowCopy(surface);
     return 1;
   }
   catch (const FileError& error)

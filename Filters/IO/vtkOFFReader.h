@@ -25,7 +25,7 @@
  * A file that is missing, is no OFF file, ends early, announces more elements than it has room for,
  * refers to a vertex that does not exist or holds something that is no finite number raises an
  * error that names the line (or the byte, in binary), sets the error code and leaves the output
- * empty.
+ * empty. An abort leaves the output empty without an error.
  *
  * @warning
  * Four-dimensional and n-dimensional files (4OFF, nOFF) are refused.

@@ -5,6 +5,7 @@
 #ifndef ReaderTester_h
 #define ReaderTester_h
 
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -13,6 +14,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTestErrorObserver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -133,6 +135,41 @@ public:
     for (const char* name : { missing, ".", static_cast<const char*>(nullptr) })
     {
       this->Expect(Reader::CanReadFile(name) == 0, "cannot read what is not");
+    }
+  }
+
+  /// Progress rises from 0 to 1; an abort ends the work and leaves nothing behind. \p content is
+  /// long and has so many points.
+  void TestProgress(const std::string& content, vtkIdType points)
+  {
+    this->Write(content);
+    for (const bool abort : { false, true })
+    {
+      struct Watch
+      {
+        std::vector<double> Fractions;
+        bool Abort;
+      } watch{ {}, abort };
+      vtkNew<vtkCallbackCommand> command;
+      command->SetClientData(&watch);
+      command->SetCallback(
+        [](vtkObject* caller, unsigned long, void* data, void*)
+        {
+          auto& w = *static_cast<Watch*>(data);
+          auto* const reader = Reader::SafeDownCast(caller);
+          w.Fractions.push_back(reader->GetProgress());
+          reader->SetAbortExecute(w.Abort && reader->GetProgress() > 0.3);
+        });
+      vtkNew<Reader> reader;
+      reader->SetFileName(this->FileName);
+      reader->AddObserver(vtkCommand::ProgressEvent, command);
+      reader->Update();
+      const std::vector<double>& fractions = watch.Fractions;
+      this->Expect(fractions.size() > (abort ? 2u : 6u) && fractions.front() < 0.01 &&
+          std::is_sorted(fractions.begin(), fractions.end()) && fractions.back() <= 1.0,
+        "progress");
+      this->Expect(reader->GetOutput()->GetNumberOfPoints() == (abort ? 0 : points), "abort");
+      this->Expect(reader->GetErrorCode() == vtkErrorCode::NoError, "an abort is no error");
     }
   }
 

@@ -256,6 +256,21 @@ void TestFiles()
     Tester.ExpectCanRead(false, content);
   }
 }
+
+//------------------------------------------------------------------------------
+/// While it reads vertices, and while it reads faces.
+void TestProgress()
+{
+  std::string vertices = "OFF\n100000 1 0\n";
+  std::string faces = "OFF\n3 100000 0\n0 0 0\n1 0 0\n0 1 0\n";
+  for (int i = 0; i < 100000; ++i)
+  {
+    vertices += "1 2 3\n";
+    faces += "3 0 1 2\n";
+  }
+  Tester.TestProgress(vertices + "3 0 1 2\n", 100000);
+  Tester.TestProgress(faces, 3);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -267,5 +282,6 @@ int TestOFFReader(int, char*[])
   TestBinary();
   TestBrokenFiles();
   TestFiles();
+  TestProgress();
   return Tester.Result();
 }
