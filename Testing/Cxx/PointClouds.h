@@ -188,6 +188,32 @@ inline bool SameResult(vtkPolyData* a, vtkPolyData* b)
   return same;
 }
 
+/// How many points have this value in the array Status.
+inline int CountStatus(vtkPolyData* output, int value)
+{
+  vtkDataArray* status = output->GetPointData()->GetArray("Status");
+  int count = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    count += status->GetComponent(i, 0) == value;
+  }
+  return count;
+}
+
+/// A component of the array DenoisingReport; NaN if it has none of this name.
+inline double Figure(vtkPolyData* output, const std::string& name)
+{
+  vtkDataArray* report = output->GetFieldData()->GetArray("DenoisingReport");
+  for (int i = 0; i < report->GetNumberOfComponents(); ++i)
+  {
+    if (report->GetComponentName(i) == name)
+    {
+      return report->GetComponent(0, i);
+    }
+  }
+  return vtkMath::Nan();
+}
+
 /// The sum of n . p over the points: positive if normals point away from the origin.
 inline double Outwards(vtkPolyData* cloud)
 {

@@ -21,18 +21,6 @@ using namespace PointTest;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// How many points have this value in the array Status.
-int CountStatus(vtkPolyData* output, int value)
-{
-  vtkDataArray* status = output->GetPointData()->GetArray("Status");
-  int count = 0;
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    count += status->GetComponent(i, 0) == value;
-  }
-  return count;
-}
-
 void TestFewPoints(const PointFilter& about, int& failures)
 {
   PointFilterTester test(about);

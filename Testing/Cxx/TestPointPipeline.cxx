@@ -95,17 +95,7 @@ void TestReport(const PointFilter& about, int& failures)
   vtkPolyData* output = test.Denoise(cloud);
   vtkDataArray* report = output->GetFieldData()->GetArray("DenoisingReport");
   CHECK(report != nullptr && report->GetNumberOfTuples() == 1);
-  auto value = [report](const std::string& name)
-  {
-    for (int i = 0; i < report->GetNumberOfComponents(); ++i)
-    {
-      if (report->GetComponentName(i) == name)
-      {
-        return report->GetComponent(0, i);
-      }
-    }
-    return vtkMath::Nan();
-  };
+  auto value = [output](const std::string& name) { return Figure(output, name); };
   vtkPointDenoisingFilter* filter = test.Filter;
   CHECK(std::abs(value("Mean Spacing") - 3.54 / std::sqrt(600.0)) < 0.02);
   CHECK(value("Mean Spacing") == filter->GetMeanSpacing());
@@ -114,13 +104,7 @@ void TestReport(const PointFilter& about, int& failures)
   CHECK(value("Fitted Normals") == 600 && filter->GetNumberOfFittedNormals() == 600);
   CHECK(value("Parts") == 1 && filter->GetNumberOfParts() == 1);
   CHECK(value("Seconds Of Setup") > 0.0 && value("Seconds Of Filtering") > 0.0);
-  int kept = 0;
-  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
-  {
-    kept += output->GetPointData()->GetArray("Status")->GetComponent(i, 0) ==
-      vtkPointDenoisingFilter::KEPT;
-  }
-  CHECK(value("Kept Points") == kept);
+  CHECK(value("Kept Points") == CountStatus(output, vtkPointDenoisingFilter::KEPT));
 
   // What was found on one cloud is not said of the next.
   vtkNew<vtkPolyData> empty;

@@ -22,29 +22,7 @@ vtkSmartPointer<vtkVotingTensorPointFilter> MakeReleased()
   return filter;
 }
 
-int CountKept(vtkPolyData* output)
-{
-  vtkDataArray* status = output->GetPointData()->GetArray("Status");
-  int count = 0;
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    count += status->GetComponent(i, 0) == vtkPointDenoisingFilter::KEPT;
-  }
-  return count;
-}
-
-double Figure(vtkPolyData* output, const std::string& name)
-{
-  vtkDataArray* report = output->GetFieldData()->GetArray("DenoisingReport");
-  for (int i = 0; i < report->GetNumberOfComponents(); ++i)
-  {
-    if (report->GetComponentName(i) == name)
-    {
-      return report->GetComponent(0, i);
-    }
-  }
-  return vtkMath::Nan();
-}
+int CountKept(vtkPolyData* output) { return CountStatus(output, vtkPointDenoisingFilter::KEPT); }
 
 /// The array Status and the figures say the same of points that stay where they were.
 void TestKeptPoints(int& failures)
