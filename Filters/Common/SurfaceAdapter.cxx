@@ -65,6 +65,18 @@ struct Extent
   }
 };
 
+/// False with a message if there are too many of them for an Index.
+bool CanBeNumbered(std::size_t count, const char* what, std::string& error)
+{
+  if (count < NoIndex)
+  {
+    return true;
+  }
+  error = "The surface has " + std::to_string(count) + " " + what + "; at most " +
+    std::to_string(NoIndex - 1) + " can be handled.";
+  return false;
+}
+
 /// Of the points in use.
 Extent FindExtent(const TriangleMesh& mesh, Execution& execution)
 {
@@ -100,13 +112,9 @@ bool ReadSurface(vtkPolyData* surface, MeshView& view, std::string& error, Execu
 {
   view = MeshView();
   const vtkIdType points = surface->GetNumberOfPoints();
-  if (points >= static_cast<vtkIdType>(NoIndex))
-  {
-    error = "The surface has " + std::to_string(points) + " points; at most " +
-      std::to_string(NoIndex - 1) + " can be handled.";
-    return false;
-  }
-  if (!ReadTriangles(surface, view, error, execution))
+  if (!CanBeNumbered(static_cast<std::size_t>(points), "points", error) ||
+    !ReadTriangles(surface, view, error, execution) ||
+    !CanBeNumbered(view.Mesh.NumberOfFaces(), "triangles", error))
   {
     return false;
   }
