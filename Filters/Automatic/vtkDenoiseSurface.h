@@ -29,9 +29,10 @@
  * spacings for clouds.
  *
  * Results are the same on any number of threads. A mesh with a coordinate that is not finite is an
- * error; such points of a cloud stay as they are. An empty input passes through; so does all of it
- * if the user stops the filter. It is then without arrays with the names of those above but
- * "Normals", which a filter before has added.
+ * error; such points of a cloud stay as they are. Ghost cells and points (vtkGhostType) are treated
+ * as all others. An empty input passes through; so does all of it if the user stops the filter. It
+ * is then without arrays with the names of those above but "Normals", which a filter before has
+ * added.
  *
  * How the choice is made for meshes: B. Efron, R. Tibshirani, "An Introduction to the Bootstrap",
  * 1993; C. Gourieroux, A. Monfort, E. Renault, "Indirect inference", Journal of Applied

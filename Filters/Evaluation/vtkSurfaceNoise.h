@@ -18,8 +18,9 @@
  * to rounding.
  *
  * Topology and all arrays are passed on as they are; the input is not changed. Note that arrays
- * computed from the positions, such as "Normals", then describe the surface without noise. Single
- * and double precision points keep their type, any other type becomes double. The field data array
+ * computed from the positions, such as "Normals", then describe the surface without noise: active
+ * normals of a surface are therefore no longer active, those of a point set stay so. Single and
+ * double precision points keep their type, any other type becomes double. The field data array
  * "NoiseDeviation" holds the standard deviation that was used.
  *
  * Points are independent even if they lie at the same place: surfaces whose faces do not share
@@ -29,7 +30,8 @@
  * Points that are not finite stay as they are and are reported by a warning. Points without a
  * normal (at no face, or at degenerate faces alone, or with a zero vector in Normals) stay where
  * they are when the direction is VertexNormals. If there is no unit length (fewer than two points,
- * all edges of length zero), nothing moves and a warning says so. Empty input gives empty output.
+ * all edges of length zero), nothing moves and a warning says so. Empty input gives empty output,
+ * and so does an abort, without an error.
  *
  * @sa
  * vtkSurfaceComparison

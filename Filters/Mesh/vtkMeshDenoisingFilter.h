@@ -20,7 +20,9 @@
  * not; boundary points stored several times at the same place (seams of texture charts, STL files)
  * move as one; edges with three or more faces connect all of them. Points without polygons never
  * move. A polygon with a NaN or infinite coordinate, or with a point that does not exist, is an
- * error, and the output is empty. A surface without polygons passes through with a warning.
+ * error, and the output is empty. A surface without polygons passes through with a warning. Ghost
+ * cells and points (vtkGhostType) are treated as all others: pieces of a surface are to be merged
+ * first, or each is denoised with borders of its own.
  *
  * Where a property says "0: from the data", the value is chosen in each execution: the one that
  * promises the smallest error of the normals, by Stein's unbiased risk estimate, for the noise that

@@ -286,7 +286,7 @@ public:
 
   ///@{
   /// The radius of RADIUS and EDGE_RADIUS in mean distances of adjacent centroids. Default 2: about
-  /// 12 faces.
+  /// 12 faces; 0: from the data, at most 6.
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}

@@ -28,8 +28,9 @@
  * Inputs that are not perfect: points with a NaN or infinite coordinate stay as they are and are
  * nobody's neighbours. Points stored twice are two points. A point with fewer than three
  * neighbours, or with neighbours at one place or on a line, stays where it is. All these are marked
- * in "Status". An empty input passes through; so does all of it if the user stops the filter. It is
- * then without arrays with the names of those above but "Normals", which a filter before has added.
+ * in "Status". Ghost points (vtkGhostType) are treated as all others. An empty input passes
+ * through; so does all of it if the user stops the filter. It is then without arrays with the names
+ * of those above but "Normals", which a filter before has added.
  *
  * Where a property says "0: from the data", the value is chosen in each execution: the one that
  * promises the smallest distance from the surface, by Stein's unbiased risk estimate, for the noise
