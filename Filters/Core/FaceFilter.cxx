@@ -4,6 +4,7 @@
 #include "FaceFilter.h"
 
 #include "FaceCurvature.h"
+#include "InterruptedExecution.h"
 
 #include <cmath>
 
@@ -58,21 +59,31 @@ FaceFilter::FaceFilter(const TriangleMesh& mesh, const CompressedRows& stars,
 {
 }
 
-void FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution)
+bool FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution, double done)
 {
-  ComputeFaceGeometry(this->Mesh, this->EdgeLength, this->Geometry, execution);
+  InterruptedExecution pieces(execution, done);
+  Execution& host = this->IsLarge() ? pieces : execution;
+  ComputeFaceGeometry(this->Mesh, this->EdgeLength, this->Geometry, host);
   const bool first = !this->Renewed;
   this->Renewed = true;
   if (this->EdgeAdjacent.NumberOfRows() == 0)
   {
-    this->EdgeAdjacent = EdgeAdjacentFaces(this->Mesh, this->Stars, execution);
+    this->EdgeAdjacent = EdgeAdjacentFaces(this->Mesh, this->Stars, host);
   }
-  this->Distance = MeanAdjacentDistance(this->EdgeAdjacent, this->Geometry.Centroids, execution);
-  this->Unit = this->ScaleUnit(execution);
+  if (!host.Proceed(done))
+  {
+    return false;
+  }
+  this->Distance = MeanAdjacentDistance(this->EdgeAdjacent, this->Geometry.Centroids, host);
+  this->Unit = this->ScaleUnit(host);
   if (this->Settings.Argument == NormalArgument::SiteCurvature)
   {
     this->Curvatures =
-      FaceCurvatures(this->Mesh, this->Stars, this->Boundary, this->Geometry, execution);
+      FaceCurvatures(this->Mesh, this->Stars, this->Boundary, this->Geometry, host);
+  }
+  if (!host.Proceed(done))
+  {
+    return false;
   }
   if (normals.empty())
   {
@@ -91,8 +102,9 @@ void FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution)
   if (this->Settings.NormalIterations > 0 &&
     (first || (IsBall(this->Settings.Neighborhood) && this->Settings.RenewNeighborhood)))
   {
-    this->FindNeighbors(execution);
+    this->FindNeighbors(host);
   }
+  return host.Proceed(done);
 }
 
 /// Scales of curvatures are given times this length.
@@ -271,7 +283,13 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, const Verdict& enough, Execution& ex
   NormalFilter filter(this->Graph(), weights);
   if (settings.Operator != NormalOperator::Median)
   {
-    this->SetGeometry(filter, execution);
+    InterruptedExecution pieces(execution, first);
+    Execution& host = this->IsLarge() ? pieces : execution;
+    this->SetGeometry(filter, host);
+    if (!host.Proceed(first))
+    {
+      return false;
+    }
   }
   if (settings.Operator != NormalOperator::VotingTensor)
   {
@@ -284,8 +302,13 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, const Verdict& enough, Execution& ex
   for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
   {
     const double begin = first + share * iteration;
+    InterruptedExecution pieces(execution, begin, begin + share);
+    // The solver asks by itself.
+    const bool cut = this->IsLarge() && settings.Operator != NormalOperator::GlobalSolve;
+    Execution& host = cut ? pieces : execution;
     if (!execution.Proceed(begin) ||
-      !this->Iterate(filter, normals, original, filtered, execution, begin, begin + share))
+      !this->Iterate(filter, normals, original, filtered, host, begin, begin + share) ||
+      (cut && !pieces.Proceed(begin)))
     {
       return false;
     }

@@ -116,9 +116,10 @@ public:
 
   /**
    * Looks at the mesh as it is now. normals get those of the faces, unless they hold normals to
-   * start from already. Looks for neighbours and for the scale of the norm if that is due.
+   * start from already. Looks for neighbours and for the scale of the norm if that is due. Returns
+   * false if the execution asked to stop, which is asked with the fraction that is done.
    */
-  void Renew(Buffer<Vec3>& normals, Execution& execution);
+  bool Renew(Buffer<Vec3>& normals, Execution& execution, double done);
 
   /// Whether normals are filtered enough.
   using Verdict = std::function<bool(const Buffer<Vec3>& normals)>;
@@ -148,6 +149,10 @@ private:
   double EdgeLength;
   const FaceFilterSettings& Settings;
   FaceFilterReport& Report;
+
+  /// Whether loops over the faces can take longer than one wants to wait for a stop. Smaller meshes
+  /// are done with before it pays to cut loops in pieces.
+  bool IsLarge() const { return this->Mesh.NumberOfFaces() > 1000000; }
 
   bool Renewed = false;
   FaceGeometry Geometry;

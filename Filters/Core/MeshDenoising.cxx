@@ -53,15 +53,14 @@ bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisin
     const double first = 0.03 + outer * share;
     {
       const Stopwatch stopwatch(report.SetupSeconds);
-      filter.Renew(normals, execution);
+      if (!filter.Renew(normals, execution, first))
+      {
+        return false;
+      }
     }
     if (outer == 0 && settings.Residual > 0.0)
     {
       start = normals;
-    }
-    if (!execution.Proceed(first))
-    {
-      return false;
     }
     if (report.NoNoiseFound)
     {
@@ -90,9 +89,9 @@ bool Alternate(PreparedMesh& prepared, Buffer<Vec3>& normals, const MeshDenoisin
       normals.clear(); // the next iteration starts from those of the faces, which have moved
     }
   }
-  if (settings.OuterIterations < 1)
+  if (settings.OuterIterations < 1 && !filter.Renew(normals, execution, 0.03))
   {
-    filter.Renew(normals, execution);
+    return false;
   }
   report.GuardedVertices = update.NumberOfGuardedVertices();
   report.VertexIterations = update.NumberOfSteps();

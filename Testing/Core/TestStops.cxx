@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceDenoising contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Work on points can be stopped at any question, and asks often enough; what can be stopped has the
-// bits of what cannot.
+// Work can be stopped at any question, and asks often enough; what can be stopped has the bits of
+// what cannot.
 
 #include "InterruptedExecution.h"
 #include "InterruptedLoops.h"
+#include "Methods.h"
 #include "OddThreads.h"
 #include "Points/InputNeighbors.h"
 #include "Points/PointNeighbors.h"
 #include "Points/PointNormals.h"
 #include "Points/ReleasedVotingTensor.h"
+#include "RandomMeshes.h"
 #include "SpatialOrder.h"
 #include "VotingClouds.h"
 
@@ -235,5 +237,26 @@ TEST(Stops, OrientationAsksNowAndThen)
     Patience patience(yes);
     EXPECT_EQ(OrientNormals(ordered.Positions, nearest, untouched, patience, 0.0), 0u);
     EXPECT_EQ(untouched, Buffer<Vec3>(points.size(), Vec3(0.0, 0.0, -1.0)));
+  }
+}
+
+// Of more than a million faces, every loop over the faces asks.
+TEST(LargeMeshQuality, AsksWithinSweeps)
+{
+  MeshDenoisingSettings settings = SettingsOf(Method::BilateralNormal);
+  settings.NormalIterations = 1;
+  settings.VertexIterations = 0;
+  TriangleMesh mesh = PlaneSheet(720, 3);
+  Buffer<Vec3> normals;
+  MeshDenoisingReport report;
+  Patience patient(std::size_t(-1));
+  ASSERT_TRUE(DenoiseMesh(mesh, normals, settings, report, patient));
+  EXPECT_GT(patient.Questions, 100u);
+  for (const std::size_t yes : { std::size_t(4), patient.Questions / 2, patient.Questions - 2 })
+  {
+    Patience patience(yes);
+    EXPECT_FALSE(DenoiseMesh(mesh, normals, settings, report, patience)) << yes;
+    EXPECT_EQ(patience.Questions, yes + 1);
+    normals.clear();
   }
 }

@@ -68,8 +68,8 @@ bool FillVertices(TriangleMesh& mesh, const CompressedRows& stars, const Compres
     const double done = double(outer) / OuterIterations;
     const double next = double(outer + 1) / OuterIterations;
     normals.clear();
-    filter.Renew(normals, execution);
-    if (!filter.Run(normals, {}, execution, done, next) ||
+    if (!filter.Renew(normals, execution, done) ||
+      !filter.Run(normals, {}, execution, done, next) ||
       !update.Run(mesh.Positions, normals, 2, execution, next, next))
     {
       return false;
