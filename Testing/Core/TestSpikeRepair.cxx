@@ -218,11 +218,12 @@ TEST(SpikeRepair, PlaceAndSizeDoNotMatter)
   }
 }
 
-TEST(SpikeRepair, StopsAtEveryQuestion)
+// The first questions are all tried, of later ones some.
+TEST(SpikeRepair, StopsAtAnyQuestion)
 {
   const TriangleMesh noisy = WithImpulses(Torus(14), 0.2, true);
   int questions = 0;
-  for (bool finished = false; !finished; ++questions)
+  for (bool finished = false; !finished; questions += 1 + questions / 10)
   {
     TriangleMesh mesh = noisy;
     Impatient execution(questions);
