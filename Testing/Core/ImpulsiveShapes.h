@@ -50,4 +50,17 @@ inline SurfaceDenoising::TriangleMesh WithImpulses(const SurfaceDenoising::Trian
   return noisy;
 }
 
+/// A tenth of the vertices, moved by 0.7 mean edge lengths in random directions.
+inline SurfaceDenoising::TriangleMesh WithJumps(SurfaceDenoising::TriangleMesh mesh)
+{
+  using namespace SurfaceDenoising;
+  const double length = 0.7 * EdgeLengthOf(mesh);
+  PortableRandom random(9);
+  for (Vec3& p : mesh.Positions)
+  {
+    p += random.Uniform() < 0.1 ? Vec3(length * random.Direction()) : Vec3(0.0, 0.0, 0.0);
+  }
+  return mesh;
+}
+
 #endif

@@ -86,13 +86,7 @@ TEST(AutomaticMesh, RepairsImpulsesAlone)
   for (const AutomaticShape& shape : AutomaticShapes())
   {
     const TriangleMesh clean = shape.Make();
-    const double edge = EdgeLengthOf(clean);
-    TriangleMesh mesh = clean;
-    PortableRandom random(9);
-    for (Vec3& p : mesh.Positions)
-    {
-      p += random.Uniform() < 0.1 ? Vec3(0.7 * edge * random.Direction()) : Vec3(0.0, 0.0, 0.0);
-    }
+    TriangleMesh mesh = WithJumps(clean);
     const double before = Measure(mesh, clean).MeanAngle;
     const AutomaticReport report = Automatic(mesh);
     EXPECT_LT(Measure(mesh, clean).MeanAngle, 0.5 * before) << shape.Name;
@@ -110,14 +104,7 @@ TEST(AutomaticMesh, RepairsImpulsesAlone)
 TEST(AutomaticMesh, VerticesWithoutFacesDoNotMatter)
 {
   const TriangleMesh clean = Torus(14);
-  TriangleMesh impulsive = clean;
-  PortableRandom random(9);
-  for (Vec3& p : impulsive.Positions)
-  {
-    p += random.Uniform() < 0.1 ? Vec3(0.7 * EdgeLengthOf(clean) * random.Direction())
-                                : Vec3(0.0, 0.0, 0.0);
-  }
-  for (const TriangleMesh& noisy : { Noisy(clean, 0.1), impulsive })
+  for (const TriangleMesh& noisy : { Noisy(clean, 0.1), WithJumps(clean) })
   {
     TriangleMesh alone = noisy;
     TriangleMesh more = noisy;
