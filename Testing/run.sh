@@ -35,7 +35,7 @@ plain=("${common[@]}" -DSurfaceDenoising_WITH_PARAVIEW=OFF "-DCMAKE_PREFIX_PATH=
 sanitized=("${plain[@]}" -DSurfaceDenoising_WRAP_PYTHON=OFF
   "-DSurfaceDenoising_SANITIZE=address,undefined"
   # Optimized, or it takes too long, but with assertions.
-  -DCMAKE_BUILD_TYPE=RelWithDebInfo "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g")
+  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1)
 
 failures=()
 
