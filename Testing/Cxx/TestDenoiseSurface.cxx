@@ -228,14 +228,20 @@ void TestOddInput(int& failures)
 /// Stops at the given progress; the input then passes through.
 void TestAbort(int& failures)
 {
-  for (const double at : { 0.0, 0.3, 0.7 })
+  for (const bool cloud : { false, true })
   {
-    for (const bool cloud : { false, true })
+    vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(600, 0.03) : NoisyBox(10, 0.2);
+    vtkNew<vtkDenoiseSurface> before;
+    before->SetInputData(input);
+    before->SetStrength(0.0);
+    before->Update();
+    CHECK(before->GetOutput()->GetFieldData()->GetNumberOfArrays() == 2);
+    input->GetPointData()->SetNormals(before->GetOutput()->GetPointData()->GetNormals());
+    for (double at : { 0.0, 0.3, 0.7 })
     {
       vtkNew<vtkDenoiseSurface> filter;
-      double stopAt = at;
       vtkNew<vtkCallbackCommand> stop;
-      stop->SetClientData(&stopAt);
+      stop->SetClientData(&at);
       stop->SetCallback(
         [](vtkObject* caller, unsigned long, void* data, void*)
         {
@@ -246,17 +252,10 @@ void TestAbort(int& failures)
           }
         });
       filter->AddObserver(vtkCommand::ProgressEvent, stop);
-      vtkSmartPointer<vtkPolyData> input = cloud ? SphereCloud(600, 0.03) : NoisyBox(10, 0.2);
-      vtkNew<vtkDenoiseSurface> before;
-      before->SetInputData(input);
-      before->SetStrength(0.0);
-      before->Update();
-      CHECK(before->GetOutput()->GetFieldData()->GetNumberOfArrays() == 2);
       filter->SetInputData(before->GetOutput());
       filter->Update();
-      // What the filter before has told is not taken for what this one tells.
-      input->GetPointData()->SetNormals(before->GetOutput()->GetPointData()->GetNormals());
-      // The executive of VTK may empty the output.
+      // The executive of VTK may empty the output. What the filter before has told is not taken for
+      // what this one tells.
       vtkPolyData* output = filter->GetOutput();
       CHECK(output->GetNumberOfPoints() == 0 ||
         (PointDistance(output, input) == 0.0 && SameData(output, input)));
