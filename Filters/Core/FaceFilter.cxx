@@ -40,6 +40,21 @@ Buffer<double> AdjacentDifferences(const NeighborGraph& adjacent, const Buffer<V
   return differences;
 }
 
+/// Runs loops whole or, of large meshes, so that they can be stopped half way.
+struct Loops
+{
+  Loops(bool large, Execution& execution, double first, double last)
+    : Pieces(execution, first, last)
+    , Host(large ? this->Pieces : execution)
+  {
+  }
+  Loops(const Loops&) = delete;
+  void operator=(const Loops&) = delete;
+
+  InterruptedExecution Pieces;
+  Execution& Host;
+};
+
 bool IsBall(FaceNeighborhood neighborhood)
 {
   return neighborhood == FaceNeighborhood::Radius || neighborhood == FaceNeighborhood::EdgeRadius;
@@ -61,8 +76,8 @@ FaceFilter::FaceFilter(const TriangleMesh& mesh, const CompressedRows& stars,
 
 bool FaceFilter::Renew(Buffer<Vec3>& normals, Execution& execution, double done)
 {
-  InterruptedExecution pieces(execution, done);
-  Execution& host = this->IsLarge() ? pieces : execution;
+  Loops loops(this->IsLarge(), execution, done, done);
+  Execution& host = loops.Host;
   ComputeFaceGeometry(this->Mesh, this->EdgeLength, this->Geometry, host);
   const bool first = !this->Renewed;
   this->Renewed = true;
@@ -158,7 +173,7 @@ void FaceFilter::FindNeighbors(Execution& execution)
   {
     this->Ball = FacesWithinRadius(wanted == FaceNeighborhood::Radius ? this->VertexSharing
                                                                       : this->EdgeAdjacent,
-      this->Geometry.Centroids, settings.Radius * this->Distance, execution);
+      this->Geometry.Centroids, settings.Radius * this->Distance, LargestBall, execution);
   }
 }
 
@@ -283,10 +298,9 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, const Verdict& enough, Execution& ex
   NormalFilter filter(this->Graph(), weights);
   if (settings.Operator != NormalOperator::Median)
   {
-    InterruptedExecution pieces(execution, first);
-    Execution& host = this->IsLarge() ? pieces : execution;
-    this->SetGeometry(filter, host);
-    if (!host.Proceed(first))
+    Loops loops(this->IsLarge(), execution, first, first);
+    this->SetGeometry(filter, loops.Host);
+    if (!loops.Host.Proceed(first))
     {
       return false;
     }
@@ -302,13 +316,13 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, const Verdict& enough, Execution& ex
   for (int iteration = 0; iteration < settings.NormalIterations; ++iteration)
   {
     const double begin = first + share * iteration;
-    InterruptedExecution pieces(execution, begin, begin + share);
+    const double end = begin + share;
     // The solver asks by itself.
-    const bool cut = this->IsLarge() && settings.Operator != NormalOperator::GlobalSolve;
-    Execution& host = cut ? pieces : execution;
+    Loops loops(this->IsLarge() && settings.Operator != NormalOperator::GlobalSolve, execution,
+      begin, end);
     if (!execution.Proceed(begin) ||
-      !this->Iterate(filter, normals, original, filtered, host, begin, begin + share) ||
-      (cut && !pieces.Proceed(begin)))
+      !this->Iterate(filter, normals, original, filtered, loops.Host, begin, end) ||
+      !loops.Host.Proceed(end))
     {
       return false;
     }

@@ -137,7 +137,7 @@ NeighborGraph VertexSharingFaces(const TriangleMesh& mesh, const CompressedRows&
 }
 
 NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<Vec3>& centroids,
-  double radius, Execution& execution)
+  double radius, std::size_t most, Execution& execution)
 {
   const double limit = radius * radius;
   return BuildRowsWith(execution, centroids.size(),
@@ -162,9 +162,13 @@ NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<V
         seen.Clear();
         seen.Insert(static_cast<Index>(f));
         grow(static_cast<Index>(f));
-        for (std::size_t next = first; next < row.size(); ++next)
+        // Whole steps, which do not depend on the order of faces.
+        for (std::size_t next = first; next < row.size() && row.size() - first <= most;)
         {
-          grow(row[next]);
+          for (const std::size_t end = row.size(); next < end; ++next)
+          {
+            grow(row[next]);
+          }
         }
       };
     });

@@ -35,14 +35,18 @@ constexpr std::size_t LargestFan = 400;
 NeighborGraph VertexSharingFaces(const TriangleMesh& mesh, const CompressedRows& stars,
   Execution& execution);
 
+/// Balls of more faces are those of meshes whose faces differ a lot in size: of equal faces it
+/// takes twelve times their distance.
+constexpr std::size_t LargestBall = 400;
+
 /**
  * Faces whose centroid is at most radius away and that are reached through such faces: growth steps
  * from face to face along connections (edge-adjacent or vertex-sharing) and goes on only through
  * faces that were entered. The far side of a thin wall is close but not reached, which is why this
- * is not a ball query.
+ * is not a ball query. Growth ends with the step in which it has entered more than most faces.
  */
 NeighborGraph FacesWithinRadius(const NeighborGraph& connections, const Buffer<Vec3>& centroids,
-  double radius, Execution& execution);
+  double radius, std::size_t most, Execution& execution);
 
 /// For every entry of a graph of faces, the summed lengths of the edges that both faces have.
 Buffer<double> SharedEdgeLengths(const TriangleMesh& mesh, const NeighborGraph& graph,

@@ -124,8 +124,9 @@ bool DenoiseAsReleased(TriangleMesh& mesh, Buffer<Vec3>& normals,
     const Buffer<double> spacings = Spacings(adjacent, geometry.Centroids);
     // Centroids at exactly this distance are outside.
     const double radius = std::nextafter(2.0 * Mean(spacings, execution), 0.0);
-    FilterNormals(FacesWithinRadius(adjacent, geometry.Centroids, radius, execution), geometry,
-      spacings, settings.RangeScale, lagging, normals, execution);
+    FilterNormals(
+      FacesWithinRadius(adjacent, geometry.Centroids, radius, mesh.NumberOfFaces(), execution),
+      geometry, spacings, settings.RangeScale, lagging, normals, execution);
     lagging.swap(geometry.Normals);
 
     Vec3 common(0.0, 0.0, 0.0);

@@ -48,7 +48,8 @@ public:
   ///@{
   /**
    * How far votes reach, in mean distances of adjacent centroids. Default 2, about 12 faces; 3 and
-   * 4 see more at the cost of time. 0: from the data.
+   * 4 see more at the cost of time. 0: from the data. Where there are more than 400 faces, those
+   * vote that are the fewest faces away.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);

@@ -114,29 +114,33 @@ TEST_P(NeighborGraphs, WithinRadius)
     centroids, this->Threads);
   for (const double radius : { 0.0, 0.9 * d, 1.7 * d, 3.1 * d, 100.0 * d })
   {
-    // Growth by whole generations until nothing changes.
-    Sets expected(centroids.size());
-    for (Index f = 0; f < expected.size(); ++f)
+    for (const std::size_t most : { std::size_t(13), LargestBall })
     {
-      std::set<Index> reached = { f };
-      for (std::size_t before = 0; before != reached.size();)
+      // Growth by whole generations until nothing changes, or there are enough.
+      Sets expected(centroids.size());
+      for (Index f = 0; f < expected.size(); ++f)
       {
-        before = reached.size();
-        for (const Index from : std::set<Index>(reached))
+        std::set<Index> reached = { f };
+        for (std::size_t before = 0; before != reached.size() && reached.size() - 1 <= most;)
         {
-          for (const Index g : connections.Row(from))
+          before = reached.size();
+          for (const Index from : std::set<Index>(reached))
           {
-            if ((centroids[g] - centroids[f]).norm() <= radius)
+            for (const Index g : connections.Row(from))
             {
-              reached.insert(g);
+              if ((centroids[g] - centroids[f]).norm() <= radius)
+              {
+                reached.insert(g);
+              }
             }
           }
         }
+        reached.erase(f);
+        expected[f] = reached;
       }
-      reached.erase(f);
-      expected[f] = reached;
+      EXPECT_EQ(ToSets(FacesWithinRadius(connections, centroids, radius, most, this->Threads)),
+        expected);
     }
-    EXPECT_EQ(ToSets(FacesWithinRadius(connections, centroids, radius, this->Threads)), expected);
   }
 }
 
@@ -198,8 +202,8 @@ TEST(NeighborGraph, RadiusDoesNotReachThroughAWall)
   }
   Execution serial;
   const Buffer<Vec3> centroids = Centroids(wall);
-  const NeighborGraph graph =
-    FacesWithinRadius(VertexSharingFaces(wall, VertexStars(wall), serial), centroids, 0.15, serial);
+  const NeighborGraph graph = FacesWithinRadius(VertexSharingFaces(wall, VertexStars(wall), serial),
+    centroids, 0.15, LargestBall, serial);
   for (std::size_t f = 0; f < wall.NumberOfFaces(); ++f)
   {
     const Vec3 fromMiddle = (centroids[f] - Vec3(0.5, 0.5, 0.005)).cwiseAbs();

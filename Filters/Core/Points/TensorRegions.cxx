@@ -192,7 +192,7 @@ private:
     settings.Norm = L2Norm{ 1.0 };
     settings.SpatialSigma = width * points.Spacing;
     settings.Weighting = SiteWeight::Uniform;
-    settings.KeepFixedWeights = false; // there is one sweep
+    settings.KeepFixedWeights = false; // of two sweeps, they would not pay
     NormalFilter filter(regions, settings);
     const Buffer<double> noAreas;
     SiteGeometry geometry{ points.Positions, noAreas, 0.0 };
