@@ -20,7 +20,8 @@ namespace SurfaceDenoising
  * A search tree over points, which it copies. Queries may run on many threads at once.
  *
  * Points that are not finite are never found, and a query that is not finite finds nothing. Squared
- * distances must fit into a double.
+ * distances must fit into a double. Of equally distant points at the border of what is found, those
+ * with the lower numbers are meant; where distances to boxes are rounded, it may be another.
  */
 class KdTree
 {
