@@ -320,8 +320,7 @@ bool FaceFilter::Run(Buffer<Vec3>& normals, const Verdict& enough, Execution& ex
     // The solver asks by itself.
     Loops loops(this->IsLarge() && settings.Operator != NormalOperator::GlobalSolve, execution,
       begin, end);
-    if (!execution.Proceed(begin) ||
-      !this->Iterate(filter, normals, original, filtered, loops.Host, begin, end) ||
+    if (!this->Iterate(filter, normals, original, filtered, loops.Host, begin, end) ||
       !loops.Host.Proceed(end))
     {
       return false;

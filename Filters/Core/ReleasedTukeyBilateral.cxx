@@ -124,6 +124,7 @@ bool DenoiseAsReleased(TriangleMesh& mesh, Buffer<Vec3>& normals,
     const Buffer<double> spacings = Spacings(adjacent, geometry.Centroids);
     // Centroids at exactly this distance are outside.
     const double radius = std::nextafter(2.0 * Mean(spacings, execution), 0.0);
+    // The program's balls have no limit.
     FilterNormals(
       FacesWithinRadius(adjacent, geometry.Centroids, radius, mesh.NumberOfFaces(), execution),
       geometry, spacings, settings.RangeScale, lagging, normals, execution);

@@ -286,8 +286,8 @@ public:
 
   ///@{
   /// The radius of RADIUS and EDGE_RADIUS in mean distances of adjacent centroids. Default 2: about
-  /// 12 faces; 0: from the data, at most 6. Where there are more than 400, those count that
-  /// are the fewest faces away.
+  /// 12 faces; 0: from the data, at most 6. Where there are more than 400, those count that are the
+  /// fewest faces away.
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}

@@ -58,8 +58,8 @@ public:
 
   ///@{
   /// How far neighbours are, in mean distances of adjacent centroids. Default 2, about 12 faces; 0:
-  /// from the data. Where there are more than 400, those count that are the fewest
-  /// faces away.
+  /// from the data. Where there are more than 400, those count that are the fewest faces
+  /// away.
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
   ///@}
